@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <hooke/scene.h>
+
+namespace hooke {
+
+/// What went wrong in a step, as bits.
+enum Flag : std::uint32_t {
+  flag_none = 0,
+  flag_not_finite = 1,     ///< a position or velocity became infinite or not a number; the step was not taken
+  flag_steps_dropped = 2,  ///< a frame asked for more steps than the cap; time was dropped
+};
+
+/// Time that a sweep of the plan took, summed over the steps of one call.
+struct SweepTime {
+  std::string_view sweep;
+  double seconds = 0.0;  ///< [s]
+};
+
+/// What one call of step() or advance() did.
+struct Report {
+  static constexpr Index none = ~Index{0};
+
+  std::uint32_t flags = flag_none;
+  std::uint64_t steps_taken = 0;     ///< good steps in this call
+  std::uint64_t step = 0;            ///< number of the last step tried, counted from 1 since the start
+  double time = 0.0;                 ///< [s] of the newest good state
+  double interpolation = 1.0;        ///< see Tick; 1 after step()
+  double dropped_seconds = 0.0;      ///< [s] see Tick
+  Index first_bad_particle = none;   ///< lowest number, in the user's numbering, with a value that is not finite
+  std::span<const SweepTime> sweeps;  ///< time of each sweep; valid until the next call on the simulation
+
+  bool ok() const { return (flags & flag_not_finite) == 0; }
+
+  /// One sentence that says what happened and what to do; empty when nothing did.
+  std::string message() const;
+};
+
+/// One stage of the plan. Stages with the same sweep are fused: they run on a block of particles while it is in cache.
+struct Stage {
+  std::string name;
+  std::string sweep;
+  std::vector<std::string> reads, writes;
+  std::size_t bytes = 0;  ///< that this stage alone makes the simulation hold
+};
+
+/// What a simulation runs each step, in order, and the memory that it holds.
+struct Plan {
+  std::vector<Stage> stages;
+  std::size_t state_bytes = 0;  ///< positions and velocities, now and before
+  std::size_t model_bytes = 0;  ///< inverse masses and the maps between the user's numbering and the engine's
+  std::string order;            ///< how particles are numbered inside, and why
+
+  std::size_t bytes() const;    ///< everything: state, model and stages
+};
+
+/// Energies of a state [J]. Pinned particles have no kinetic and no gravitational energy here.
+struct Energy {
+  double kinetic = 0.0;
+  double elastic = 0.0;   ///< in springs
+  double external = 0.0;  ///< of effects that have a potential: gravity, ground plane
+  double total() const { return kinetic + elastic + external; }
+};
+
+}  // namespace hooke

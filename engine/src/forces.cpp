@@ -1,0 +1,103 @@
+#include "forces.h"
+
+#include "parallel/sum.h"
+
+namespace hooke {
+namespace {
+
+/// Springs that one thread takes at a time: long enough to hide the cost of handing them out.
+constexpr std::size_t spring_grain = 4096;
+constexpr std::size_t block_run = 256;
+
+}  // namespace
+
+template <class Real>
+Forces<Real>::Forces(const Scene& scene, const Model<Real>& model, Accumulation accumulation)
+    : slots_(std::get_if<Slots<Real>>(&model.spring_layout)),
+      list_(std::get_if<SpringList<Real>>(&model.spring_layout)),
+      adds_(accumulation == Accumulation::atomic ? Adds::atomic : Adds::plain),
+      sums_(list_ != nullptr ? model.particles() : 0) {
+  const EffectContext context{scene, model.order};
+  for (const Effect& effect : scene.effects) {
+    std::visit([&](const auto& data) { effects_.push_back(compile_effect<Real>(data, context)); }, effect);
+  }
+}
+
+template <class Real>
+void Forces<Real>::scatter(const State<Real>& state, Executor& executor) {
+  for (std::size_t batch = 0; batch < list_->batches(); ++batch) {
+    const std::size_t first = list_->batch_begin[batch], count = list_->batch_begin[batch + 1] - first;
+    const bool serial = list_->last_batch_serial && batch + 1 == list_->batches();
+    executor.parallel_for(count, serial ? count : spring_grain, [&](std::size_t begin, std::size_t end) {
+      scatter_springs(*list_, first + begin, first + end, state, adds_, sums_);
+    });
+  }
+}
+
+template <class Real>
+void Forces<Real>::clear() {
+  for (AlignedVector<Real>* sums : {&sums_.x, &sums_.y, &sums_.z})
+    std::fill(sums->begin(), sums->end(), Real(0));
+}
+
+template <class Real>
+SpringMeasure Forces<Real>::measure_springs(const State<Real>& state, Executor& executor) const {
+  if (slots_ != nullptr) {
+    return sum_in_order<SpringMeasure>(executor, block_count(state.size()), block_run,
+                                       [&](std::size_t begin, std::size_t end) {
+                                         SpringMeasure sum;
+                                         for (std::size_t b = begin; b < end; ++b)
+                                           sum.add(measure_gathered(*slots_, state, b));
+                                         return sum;
+                                       });
+  }
+  if (list_ == nullptr) return {};
+  return sum_in_order<SpringMeasure>(
+      executor, list_->size(), spring_grain,
+      [&](std::size_t begin, std::size_t end) { return measure_listed(*list_, begin, end, state); });
+}
+
+template <class Real>
+double Forces<Real>::effect_energy(const Block<Real>& block) const {
+  double sum = 0.0;
+  for (const BlockEffectPointer<Real>& effect : effects_) sum += effect->energy(block);
+  return sum;
+}
+
+template <class Real>
+Stage Forces<Real>::spring_stage() const {
+  std::vector<std::string> reads = {"position"};
+  const bool damped = slots_ != nullptr ? slots_->damped : !list_->damping.empty();
+  if (damped) reads.push_back("velocity");
+  if (slots_ != nullptr) {
+    const std::size_t shift = slots_->shift_slots(), all = slots_->slots.size();
+    const std::string kinds = std::to_string(all) + " slots, " + std::to_string(shift) + " of them shifts";
+    reads.push_back(kinds);
+    return {"springs (gather)", "particles", std::move(reads), {"force"}, slots_->bytes()};
+  }
+  const bool atomic = adds_ == Adds::atomic;
+  if (!atomic) reads.push_back(std::to_string(list_->batches()) + " colours");
+  return {atomic ? "springs (atomic)" : "springs (coloured)",
+          "springs",
+          std::move(reads),
+          {"force"},
+          list_->bytes() + sums_.bytes()};
+}
+
+template <class Real>
+std::vector<Stage> Forces<Real>::stages() const {
+  std::vector<Stage> stages;
+  if (slots_ != nullptr || list_ != nullptr) stages.push_back(spring_stage());
+  for (const BlockEffectPointer<Real>& effect : effects_) {
+    Stage stage = effect->stage();
+    stage.sweep = "particles";
+    stage.writes = {"force"};
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
+template class Forces<float>;
+template class Forces<double>;
+
+}  // namespace hooke

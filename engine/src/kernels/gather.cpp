@@ -1,0 +1,130 @@
+#include "kernels/gather.h"
+
+#include <cmath>
+
+namespace hooke {
+namespace {
+
+/// The neighbours of a block's lanes, one array for each coordinate; pointers into the state for a shift
+/// slot, into `NeighbourCopy` for an indexed one.
+template <class Real>
+struct Neighbours {
+  const Real *x, *y, *z, *vx, *vy, *vz;
+};
+
+template <class Real>
+struct NeighbourCopy {
+  alignas(cache_line) Real x[block_size], y[block_size], z[block_size];
+  alignas(cache_line) Real vx[block_size], vy[block_size], vz[block_size];
+
+  template <bool damped>
+  Neighbours<Real> fill(const State<Real>& state, const Index* neighbours) {
+    for (std::size_t lane = 0; lane < block_size; ++lane) {
+      const Index n = neighbours[lane];
+      x[lane] = state.x()[n];
+      y[lane] = state.y()[n];
+      z[lane] = state.z()[n];
+      if constexpr (damped) {
+        vx[lane] = state.vx()[n];
+        vy[lane] = state.vy()[n];
+        vz[lane] = state.vz()[n];
+      }
+    }
+    return {x, y, z, vx, vy, vz};
+  }
+};
+
+template <class Real>
+Neighbours<Real> shifted(const State<Real>& state, std::ptrdiff_t first) {
+  return {state.x() + first,  state.y() + first,  state.z() + first,
+          state.vx() + first, state.vy() + first, state.vz() + first};
+}
+
+template <class Real, bool damped>
+void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real* stiffness,
+              const Real* rest_length, const Real* damping, BlockForce<Real>& force) {
+  for (std::size_t lane = 0; lane < block_size; ++lane) {
+    const Real dx = other.x[lane] - own.x[lane];
+    const Real dy = other.y[lane] - own.y[lane];
+    const Real dz = other.z[lane] - own.z[lane];
+    Real vx = 0, vy = 0, vz = 0, c = 0;
+    if constexpr (damped) {
+      vx = other.vx[lane] - own.vx[lane];
+      vy = other.vy[lane] - own.vy[lane];
+      vz = other.vz[lane] - own.vz[lane];
+      c = damping[lane];
+    }
+    const Real factor =
+        spring_factor<Real, damped>(dx, dy, dz, vx, vy, vz, stiffness[lane], rest_length[lane], c);
+    force.x[lane] += factor * dx;
+    force.y[lane] += factor * dy;
+    force.z[lane] += factor * dz;
+  }
+}
+
+template <class Real, bool damped>
+void gather_block(const Slots<Real>& slots, const State<Real>& state, std::size_t block,
+                  BlockForce<Real>& force) {
+  const Block<Real> own(state, block);
+  BlockForce<Real> sum{};
+  const auto add = [&](const typename Slots<Real>::Slot& slot, const Neighbours<Real>& other) {
+    add_slot<Real, damped>(own, other, slots.row(slot.stiffness), slots.row(slot.rest_length),
+                           slots.row(slot.damping), sum);
+  };
+  for (std::uint32_t s = slots.first_shift[block]; s < slots.first_indexed[block]; ++s) {
+    const auto& slot = slots.slots[s];
+    add(slot, shifted(state, std::ptrdiff_t(own.first) + slot.shift));
+  }
+  NeighbourCopy<Real> copy;
+  for (std::uint32_t s = slots.first_indexed[block]; s < slots.first_shift[block + 1]; ++s) {
+    const auto& slot = slots.slots[s];
+    const Index* neighbours = slots.neighbours.data() + std::size_t(slot.neighbours) * block_size;
+    add(slot, copy.template fill<damped>(state, neighbours));
+  }
+  force = sum;
+}
+
+}  // namespace
+
+template <class Real>
+void gather_springs(const Slots<Real>& slots, const State<Real>& state, std::size_t block,
+                    BlockForce<Real>& force) {
+  if (slots.damped) {
+    gather_block<Real, true>(slots, state, block, force);
+  } else {
+    gather_block<Real, false>(slots, state, block, force);
+  }
+}
+
+template <class Real>
+SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& state, std::size_t block) {
+  const Block<Real> own(state, block);
+  SpringMeasure measure;
+  const auto add = [&](const typename Slots<Real>::Slot& slot, const Neighbours<Real>& other) {
+    const Real *stiffness = slots.row(slot.stiffness), *rest_length = slots.row(slot.rest_length);
+    for (std::size_t lane = 0; lane < own.particles; ++lane) {
+      // A lane without a spring has no rest length, and adds nothing.
+      const double length =
+          std::hypot(double(other.x[lane]) - double(own.x[lane]), double(other.y[lane]) - double(own.y[lane]),
+                     double(other.z[lane]) - double(own.z[lane]));
+      measure.add_spring(length, double(stiffness[lane]), double(rest_length[lane]));
+    }
+  };
+  for (std::uint32_t s = slots.first_shift[block]; s < slots.first_indexed[block]; ++s) {
+    add(slots.slots[s], shifted(state, std::ptrdiff_t(own.first) + slots.slots[s].shift));
+  }
+  NeighbourCopy<Real> copy;
+  for (std::uint32_t s = slots.first_indexed[block]; s < slots.first_shift[block + 1]; ++s) {
+    const Index* neighbours = slots.neighbours.data() + std::size_t(slots.slots[s].neighbours) * block_size;
+    add(slots.slots[s], copy.template fill<false>(state, neighbours));
+  }
+  measure.energy *= 0.5;
+  return measure;
+}
+
+template void gather_springs(const Slots<float>&, const State<float>&, std::size_t, BlockForce<float>&);
+template void gather_springs(const Slots<double>&, const State<double>&, std::size_t, BlockForce<double>&);
+template SpringMeasure measure_gathered(const Slots<float>&, const State<float>&, std::size_t);
+template SpringMeasure measure_gathered(const Slots<double>&, const State<double>&, std::size_t);
+
+}  // namespace hooke

@@ -1,0 +1,62 @@
+#include "model/model.h"
+
+namespace hooke {
+namespace {
+
+template <class Real>
+AlignedVector<Real> inverse_masses(const Scene& scene, const Order& order) {
+  AlignedVector<Real> inverse(block_count(order.size()) * block_size, Real(0));
+  for (std::size_t i = 0; i < order.size(); ++i)
+    inverse[order.engine(i)] = Real(1.0 / scene.particles.mass[i]);
+  for (const Pin& pin : scene.pins) inverse[order.engine(pin.particle)] = Real(0);
+  return inverse;
+}
+
+template <class Real>
+typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const Adjacency& adjacency,
+                                                   const Order& order, Accumulation accumulation,
+                                                   Executor& executor) {
+  if (springs.size() == 0) return std::monostate{};
+  switch (accumulation) {
+    case Accumulation::gather:
+      return make_slots<Real>(springs, adjacency, order, executor);
+    case Accumulation::coloured:
+      return colour_springs<Real>(springs, order);
+    case Accumulation::atomic:
+      return list_springs<Real>(springs, order);
+  }
+  return std::monostate{};
+}
+
+}  // namespace
+
+template <class Real>
+Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& executor)
+    : order(0, ""), springs(scene.springs.size()) {
+  const std::size_t count = scene.particles.size();
+  const Adjacency adjacency(scene.springs, count);
+  order = choose_order(scene.springs, adjacency, count);
+  spring_layout = lay_out_springs<Real>(scene.springs, adjacency, order, accumulation, executor);
+  inverse_mass = inverse_masses<Real>(scene, order);
+  moving_pins = hooke::moving_pins(scene, order);
+}
+
+template <class Real>
+State<Real> initial_state(const Scene& scene, const Model<Real>& model) {
+  State<Real> state(model.particles());
+  for (std::size_t i = 0; i < model.particles(); ++i) {
+    const Index e = model.order.engine(i);
+    state.set_position(e, scene.particles.position[i].cast<Real>());
+    const bool pinned = model.inverse_mass[e] == Real(0);
+    if (!pinned) state.set_velocity(e, scene.particles.velocity_of(i).cast<Real>());
+  }
+  move_pins(model.moving_pins, state);
+  return state;
+}
+
+template struct Model<float>;
+template struct Model<double>;
+template State<float> initial_state(const Scene&, const Model<float>&);
+template State<double> initial_state(const Scene&, const Model<double>&);
+
+}  // namespace hooke

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include <hooke/simulation.h>
+
+#include "aligned.h"
+#include "model/colouring.h"
+#include "model/order.h"
+#include "model/pins.h"
+#include "model/slots.h"
+#include "state.h"
+
+namespace hooke {
+
+/// What a scene is compiled to: all that stays constant while it runs, but for its effects.
+template <class Real>
+struct Model {
+  /// Springs in the one layout that the accumulation mode reads; none where the scene has no springs.
+  using SpringLayout = std::variant<std::monostate, Slots<Real>, SpringList<Real>>;
+
+  Order order;
+  std::size_t springs = 0;
+  AlignedVector<Real> inverse_mass;  ///< [1/kg], whole blocks; 0 where pinned, and in the padding
+  SpringLayout spring_layout;
+  std::vector<MovingPin> moving_pins;
+
+  Model(const Scene& scene, Accumulation accumulation, Executor& executor);
+
+  std::size_t particles() const { return order.size(); }
+};
+
+/// The scene's positions and velocities at time zero. Pinned particles are at rest, or on their paths.
+template <class Real>
+State<Real> initial_state(const Scene& scene, const Model<Real>& model);
+
+}  // namespace hooke

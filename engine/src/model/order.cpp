@@ -1,0 +1,103 @@
+#include "model/order.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace hooke {
+
+Order::Order(std::vector<Index> user_of_engine, std::string reason)
+    : particles_(user_of_engine.size()),
+      user_of_engine_(std::move(user_of_engine)),
+      engine_of_user_(particles_),
+      reason_(std::move(reason)) {
+  for (std::size_t e = 0; e < particles_; ++e) engine_of_user_[user_of_engine_[e]] = Index(e);
+}
+
+namespace {
+
+/// The share of springs whose two ends lie one of the most common distances apart in the user's numbering.
+double grid_share(const Springs& springs) {
+  constexpr std::size_t samples = 100'000, common = 32;
+  const std::size_t stride = std::max<std::size_t>(1, springs.size() / samples);
+  std::unordered_map<Index, std::size_t> count;
+  std::size_t sampled = 0;
+  for (std::size_t s = 0; s < springs.size(); s += stride, ++sampled) {
+    const Index a = springs.first[s], b = springs.second[s];
+    ++count[a < b ? b - a : a - b];
+  }
+  std::vector<std::size_t> counts;
+  for (const auto& [distance, n] : count) counts.push_back(n);
+  std::sort(counts.rbegin(), counts.rend());
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < std::min(common, counts.size()); ++i) covered += counts[i];
+  return sampled == 0 ? 1.0 : double(covered) / double(sampled);
+}
+
+/// Breadth-first numbering of a graph, one connected part after the other.
+class CuthillMcKee {
+ public:
+  CuthillMcKee(const Springs& springs, const Adjacency& adjacency, std::size_t particles)
+      : springs_(springs), adjacency_(adjacency), numbered_(particles, false) {
+    order_.reserve(particles);
+    for (Index i = 0; i < particles; ++i) {
+      if (!numbered_[i]) number_part(far_end(i));
+    }
+    std::reverse(order_.begin(), order_.end());
+  }
+
+  std::vector<Index> take() { return std::move(order_); }
+
+ private:
+  void number_part(Index start) {
+    std::size_t next = order_.size();
+    visit(start);
+    for (; next < order_.size(); ++next) visit_neighbours(order_[next]);
+  }
+
+  void visit(Index particle) {
+    numbered_[particle] = true;
+    order_.push_back(particle);
+  }
+
+  void visit_neighbours(Index particle) {
+    const std::size_t first_new = order_.size();
+    for (std::size_t k = adjacency_.begin[particle]; k < adjacency_.begin[particle + 1]; ++k) {
+      const Index neighbour = other_end(springs_, adjacency_.springs[k], particle);
+      if (!numbered_[neighbour]) visit(neighbour);
+    }
+    const auto smaller_degree = [this](Index a, Index b) {
+      return adjacency_.degree(a) < adjacency_.degree(b);
+    };
+    std::stable_sort(order_.begin() + std::ptrdiff_t(first_new), order_.end(), smaller_degree);
+  }
+
+  /// A particle at the end of the connected part of `start`: the last one that two breadth-first passes
+  /// reach. Long thin levels from there keep neighbours close in the order.
+  Index far_end(Index start) {
+    const std::size_t numbered = order_.size();
+    for (int pass = 0; pass < 2; ++pass) {
+      number_part(start);
+      start = order_.back();
+      for (std::size_t i = numbered; i < order_.size(); ++i) numbered_[order_[i]] = false;
+      order_.resize(numbered);
+    }
+    return start;
+  }
+
+  const Springs& springs_;
+  const Adjacency& adjacency_;
+  std::vector<bool> numbered_;
+  std::vector<Index> order_;
+};
+
+}  // namespace
+
+Order choose_order(const Springs& springs, const Adjacency& adjacency, std::size_t particles) {
+  constexpr double grid_like = 0.9;
+  if (springs.size() == 0) return Order(particles, "the user's (no springs)");
+  if (grid_share(springs) >= grid_like)
+    return Order(particles, "the user's (springs join it at few distances)");
+  return Order(CuthillMcKee(springs, adjacency, particles).take(), "reverse Cuthill-McKee");
+}
+
+}  // namespace hooke

@@ -1,0 +1,189 @@
+#include <hooke/simulation.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "simulation_parts.h"
+
+namespace hooke {
+namespace {
+
+/// Writes a vector for each of the user's particles; vector_of gives the one at a place of the engine's
+/// order.
+template <class Out, class VectorOf>
+void write_vectors(Out* first, std::size_t stride_bytes, const Order& order, const VectorOf& vector_of) {
+  auto* bytes = reinterpret_cast<std::byte*>(first);
+  for (std::size_t i = 0; i < order.size(); ++i, bytes += stride_bytes) {
+    const auto vector = vector_of(order.engine(i));
+    auto* out = reinterpret_cast<Out*>(bytes);
+    for (int axis = 0; axis < 3; ++axis) out[axis] = Out(vector[axis]);
+  }
+}
+
+template <class Out, class Real>
+void write_positions(Out* first, std::size_t stride_bytes, const Order& order, const State<Real>& now) {
+  write_vectors(first, stride_bytes, order, [&](Index e) { return now.position(e); });
+}
+
+template <class Out, class Real>
+void write_interpolated(Out* first, std::size_t stride_bytes, const Order& order, const State<Real>& before,
+                        const State<Real>& now, Real share) {
+  write_vectors(first, stride_bytes, order, [&](Index e) -> Eigen::Matrix<Real, 3, 1> {
+    const Eigen::Matrix<Real, 3, 1> from = before.position(e);
+    return from + share * (now.position(e) - from);
+  });
+}
+
+template <class Out, class Real>
+void write_velocities(Out* first, std::size_t stride_bytes, const Order& order, const State<Real>& now) {
+  write_vectors(first, stride_bytes, order, [&](Index e) { return now.velocity(e); });
+}
+
+}  // namespace
+
+std::string_view to_string(Accumulation accumulation) {
+  switch (accumulation) {
+    case Accumulation::gather:
+      return "gather";
+    case Accumulation::coloured:
+      return "coloured";
+    case Accumulation::atomic:
+      return "atomic";
+  }
+  return "";
+}
+
+template <class Real>
+Simulation<Real>::Simulation(const Scene& scene, Settings settings)
+    : parts_(std::make_unique<Parts>(scene, std::move(settings))) {}
+
+template <class Real>
+Simulation<Real>::~Simulation() = default;
+template <class Real>
+Simulation<Real>::Simulation(Simulation&&) noexcept = default;
+template <class Real>
+Simulation<Real>& Simulation<Real>::operator=(Simulation&&) noexcept = default;
+
+template <class Real>
+Report Simulation<Real>::step(std::uint64_t count) {
+  return parts_->take_steps(count);
+}
+
+template <class Real>
+Report Simulation<Real>::advance(double frame_seconds) {
+  const Tick tick = parts_->clock.advance(frame_seconds);
+  Report report = parts_->take_steps(tick.steps);
+  report.interpolation = tick.interpolation;
+  report.dropped_seconds = tick.dropped_seconds;
+  if (tick.dropped_seconds > 0.0) report.flags |= flag_steps_dropped;
+  return report;
+}
+
+template <class Real>
+double Simulation<Real>::time() const {
+  return parts_->now.time;
+}
+
+template <class Real>
+std::uint64_t Simulation<Real>::steps() const {
+  return parts_->steps;
+}
+
+template <class Real>
+std::size_t Simulation<Real>::particle_count() const {
+  return parts_->model.particles();
+}
+
+template <class Real>
+std::size_t Simulation<Real>::spring_count() const {
+  return parts_->model.springs;
+}
+
+template <class Real>
+unsigned Simulation<Real>::threads() const {
+  return parts_->executor->threads();
+}
+
+template <class Real>
+const Settings& Simulation<Real>::settings() const {
+  return parts_->settings;
+}
+
+template <class Real>
+StateView<Real> Simulation<Real>::state() const {
+  const State<Real>& s = parts_->now;
+  const std::size_t n = s.size();
+  return {{s.x(), n}, {s.y(), n}, {s.z(), n}, {s.vx(), n}, {s.vy(), n}, {s.vz(), n}};
+}
+
+template <class Real>
+Index Simulation<Real>::engine_index(Index particle) const {
+  if (particle >= parts_->model.particles()) {
+    throw std::out_of_range("engine_index: there is no particle " + std::to_string(particle) +
+                            "; give one below " + std::to_string(parts_->model.particles()));
+  }
+  return parts_->model.order.engine(particle);
+}
+
+template <class Real>
+void Simulation<Real>::copy_positions(float* first, std::size_t stride_bytes, double interpolation) const {
+  const Parts& p = *parts_;
+  if (interpolation == 1.0) {
+    write_positions(first, stride_bytes, p.model.order, p.now);
+  } else {
+    write_interpolated(first, stride_bytes, p.model.order, p.other, p.now, Real(interpolation));
+  }
+}
+
+template <class Real>
+void Simulation<Real>::copy_positions(double* first, std::size_t stride_bytes, double interpolation) const {
+  const Parts& p = *parts_;
+  if (interpolation == 1.0) {
+    write_positions(first, stride_bytes, p.model.order, p.now);
+  } else {
+    write_interpolated(first, stride_bytes, p.model.order, p.other, p.now, Real(interpolation));
+  }
+}
+
+template <class Real>
+void Simulation<Real>::copy_velocities(float* first, std::size_t stride_bytes) const {
+  write_velocities(first, stride_bytes, parts_->model.order, parts_->now);
+}
+
+template <class Real>
+void Simulation<Real>::copy_velocities(double* first, std::size_t stride_bytes) const {
+  write_velocities(first, stride_bytes, parts_->model.order, parts_->now);
+}
+
+template <class Real>
+const Plan& Simulation<Real>::plan() const {
+  return parts_->plan.shown;
+}
+
+template <class Real>
+Energy Simulation<Real>::energy() const {
+  const Parts& p = *parts_;
+  const ParticleSums sums = sum_particles(p.model, p.forces, p.now, *p.executor);
+  return {sums.kinetic, p.forces.measure_springs(p.now, *p.executor).energy, sums.external};
+}
+
+template <class Real>
+Vec3 Simulation<Real>::momentum() const {
+  const Parts& p = *parts_;
+  return sum_particles(p.model, p.forces, p.now, *p.executor).momentum;
+}
+
+template <class Real>
+double Simulation<Real>::max_strain() const {
+  return parts_->forces.measure_springs(parts_->now, *parts_->executor).max_strain;
+}
+
+template <class Real>
+std::uint64_t Simulation<Real>::state_hash() const {
+  return hash_state(parts_->now, parts_->model.order);
+}
+
+template class Simulation<float>;
+template class Simulation<double>;
+
+}  // namespace hooke

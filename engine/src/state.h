@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "aligned.h"
+
+namespace hooke {
+
+/// Particles are worked on in blocks of 16: one cache line of floats in each array.
+inline constexpr std::size_t block_size = 16;
+
+inline std::size_t block_count(std::size_t particles) {
+  return (particles + block_size - 1) / block_size;
+}
+
+/// Positions [m], velocities [m/s] and time [s]: all that changes from step to step. Structure of arrays in
+/// the engine's order, padded with zeros to whole blocks.
+///
+/// Before and behind each array lies one more block of zeros, so that a vector load of the neighbours i + d
+/// of a whole block stays inside although some of its lanes have no such neighbour.
+template <class Real>
+class State {
+ public:
+  explicit State(std::size_t particles)
+      : particles_(particles), stride_(array_stride(particles)), values_(6 * stride_, Real(0)) {}
+
+  std::size_t size() const { return particles_; }
+
+  Real* x() { return array(0); }
+  Real* y() { return array(1); }
+  Real* z() { return array(2); }
+  Real* vx() { return array(3); }
+  Real* vy() { return array(4); }
+  Real* vz() { return array(5); }
+  const Real* x() const { return array(0); }
+  const Real* y() const { return array(1); }
+  const Real* z() const { return array(2); }
+  const Real* vx() const { return array(3); }
+  const Real* vy() const { return array(4); }
+  const Real* vz() const { return array(5); }
+
+  Eigen::Matrix<Real, 3, 1> position(std::size_t i) const { return {x()[i], y()[i], z()[i]}; }
+  Eigen::Matrix<Real, 3, 1> velocity(std::size_t i) const { return {vx()[i], vy()[i], vz()[i]}; }
+  void set_position(std::size_t i, const Eigen::Matrix<Real, 3, 1>& value) {
+    x()[i] = value.x();
+    y()[i] = value.y();
+    z()[i] = value.z();
+  }
+  void set_velocity(std::size_t i, const Eigen::Matrix<Real, 3, 1>& value) {
+    vx()[i] = value.x();
+    vy()[i] = value.y();
+    vz()[i] = value.z();
+  }
+
+  std::size_t bytes() const { return values_.capacity() * sizeof(Real); }
+
+  double time = 0.0;
+
+ private:
+  Real* array(std::size_t which) { return values_.data() + which * stride_ + block_size; }
+  const Real* array(std::size_t which) const { return values_.data() + which * stride_ + block_size; }
+
+  /// The bases of the six arrays differ by five cache lines modulo 4 KiB: with equal low address bits, loads
+  /// from one array would falsely wait for stores to another.
+  static std::size_t array_stride(std::size_t particles) {
+    constexpr std::size_t page = 4096 / sizeof(Real), offset = 5 * cache_line / sizeof(Real);
+    const std::size_t needed = (block_count(particles) + 2) * block_size;
+    if (needed < page) return needed;  // everything fits in the first-level cache; do not waste memory
+    return (needed + page - 1 - offset) / page * page + offset;
+  }
+
+  std::size_t particles_, stride_;
+  AlignedVector<Real> values_;
+};
+
+}  // namespace hooke
