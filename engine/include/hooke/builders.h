@@ -6,8 +6,8 @@
 #include <hooke/scene.h>
 
 /// Builders: each adds particles, springs and triangles to a scene and returns the numbers of what it added.
-/// A stiffness of zero means that springs of that kind are not made. Bad parameters throw SceneError and leave the
-/// scene as it was.
+/// A stiffness of zero means that springs of that kind are not made. Bad parameters throw SceneError and
+/// leave the scene as it was.
 
 namespace hooke {
 
@@ -28,9 +28,10 @@ struct Placement {
   }
 };
 
-/// A hanging cloth of columns x rows particles in the x-y plane: columns go along +x, rows go down along -y, particle
-/// (0, 0) is at the origin. Springs as in Provot 1995: structural (to the 4 neighbours), shear (diagonals), bend (to
-/// the second neighbour). Each particle's mass is its share of the area, so the cloth's mass does not depend on the resolution.
+/// A hanging cloth of columns x rows particles in the x-y plane: columns go along +x, rows go down along -y,
+/// particle (0, 0) is at the origin. Springs as in Provot 1995: structural (to the 4 neighbours), shear
+/// (diagonals), bend (to the second neighbour). Each particle's mass is its share of the area, so the cloth's
+/// mass does not depend on the resolution.
 struct ClothGrid {
   Index columns = 32;          ///< particles along x, >= 2
   Index rows = 32;             ///< particles along y, >= 2
@@ -40,7 +41,7 @@ struct ClothGrid {
   double shear = 500.0;        ///< stiffness of shear springs [N/m]
   double bend = 10.0;          ///< stiffness of bend springs [N/m]
   double damping = 0.0;        ///< along every spring [N s/m]
-  Placement placement;
+  Placement placement = {};
 
   static constexpr std::string_view name = "cloth_grid";
   template <class Self, class Visit>
@@ -65,18 +66,19 @@ struct GridParticles {
 
 GridParticles add(Scene& scene, const ClothGrid& cloth);
 
-/// A cloth from a triangle mesh: each edge becomes a structural spring, the corners of two triangles opposite a shared
-/// edge a bend spring (an edge of more than two triangles, each pair of them). A third of each triangle's mass goes to
-/// each corner. Vertices closer than `weld_tolerance` become one particle, so a seam holds.
+/// A cloth from a triangle mesh: each edge becomes a structural spring, the corners of two triangles opposite
+/// a shared edge a bend spring (an edge of more than two triangles, each pair of them). A third of each
+/// triangle's mass goes to each corner. Vertices closer than `weld_tolerance` become one particle, so a seam
+/// holds.
 struct ClothMesh {
-  std::vector<Vec3> vertices;      ///< [m]
-  std::vector<Triangle> triangles;  ///< into `vertices`
-  double areal_density = 0.2;       ///< [kg/m^2], > 0
-  double stretch = 1e3;             ///< stiffness of edge springs [N/m]
-  double bend = 10.0;               ///< stiffness of bend springs [N/m]
-  double damping = 0.0;             ///< along every spring [N s/m]
-  double weld_tolerance = 1e-6;     ///< [m] in the mesh's own size, >= 0
-  Placement placement;
+  std::vector<Vec3> vertices = {};       ///< [m]
+  std::vector<Triangle> triangles = {};  ///< into `vertices`
+  double areal_density = 0.2;            ///< [kg/m^2], > 0
+  double stretch = 1e3;                  ///< stiffness of edge springs [N/m]
+  double bend = 10.0;                    ///< stiffness of bend springs [N/m]
+  double damping = 0.0;                  ///< along every spring [N s/m]
+  double weld_tolerance = 1e-6;          ///< [m] in the mesh's own size, >= 0
+  Placement placement = {};
 
   static constexpr std::string_view name = "cloth_mesh";
   template <class Self, class Visit>
@@ -95,15 +97,16 @@ struct MeshParticles {
   static constexpr Index none = ~Index{0};
 
   Index first = 0, count = 0;
-  std::vector<Index> of_vertex;        ///< each vertex's particle, or none where no triangle of some area uses it
-  std::size_t welded_vertices = 0;     ///< vertices that became part of another's particle
-  std::size_t unused_vertices = 0;     ///< vertices left out: no triangle uses them
+  std::vector<Index> of_vertex;  ///< each vertex's particle, or none where no triangle of some area uses it
+  std::size_t welded_vertices = 0;       ///< vertices that became part of another's particle
+  std::size_t unused_vertices = 0;       ///< vertices left out: no triangle uses them
   std::size_t degenerate_triangles = 0;  ///< triangles left out: two equal corners after welding, or no area
 };
 
 MeshParticles add(Scene& scene, const ClothMesh& cloth);
 
-/// A rope of evenly spaced particles from `start` to `end`. Structural springs join neighbours, bend springs second neighbours.
+/// A rope of evenly spaced particles from `start` to `end`. Structural springs join neighbours, bend springs
+/// second neighbours.
 struct Rope {
   Index particles = 32;          ///< >= 2
   Vec3 start{0.0, 0.0, 0.0};     ///< [m]
@@ -134,8 +137,9 @@ struct RopeParticles {
 
 RopeParticles add(Scene& scene, const Rope& rope);
 
-/// A soft block: a lattice of nx x ny x nz particles whose lowest corner is the origin. Structural springs along the
-/// axes, shear springs across the faces of each cell, and across its body. Its surface is given as triangles.
+/// A soft block: a lattice of nx x ny x nz particles whose lowest corner is the origin. Structural springs
+/// along the axes, shear springs across the faces of each cell, and across its body. Its surface is given as
+/// triangles.
 struct Block {
   Index nx = 8, ny = 8, nz = 8;  ///< particles along each axis, >= 2
   double spacing = 0.05;         ///< [m], > 0
@@ -144,7 +148,7 @@ struct Block {
   double shear = 500.0;          ///< stiffness across faces [N/m]
   double body = 500.0;           ///< stiffness across cells [N/m]
   double damping = 0.0;          ///< along every spring [N s/m]
-  Placement placement;
+  Placement placement = {};
 
   static constexpr std::string_view name = "block";
   template <class Self, class Visit>
@@ -170,8 +174,9 @@ struct BlockParticles {
 
 BlockParticles add(Scene& scene, const Block& block);
 
-/// The particles numbered from `first`, `count` of them, that lie within `distance` [m] of the one furthest along
-/// `direction` (any length but zero): {0, 1, 0} and 0.02 give the top 2 cm.
-std::vector<Index> furthest_along(const Scene& scene, Index first, Index count, const Vec3& direction, double distance);
+/// The particles numbered from `first`, `count` of them, that lie within `distance` [m] of the one furthest
+/// along `direction` (any length but zero): {0, 1, 0} and 0.02 give the top 2 cm.
+std::vector<Index> furthest_along(const Scene& scene, Index first, Index count, const Vec3& direction,
+                                  double distance);
 
 }  // namespace hooke

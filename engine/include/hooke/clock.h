@@ -8,8 +8,9 @@ namespace hooke {
 
 /// What a frame asks for.
 struct Tick {
-  std::uint64_t steps = 0;       ///< steps to take now
-  double interpolation = 0.0;    ///< how far the frame's time lies between the last two states: 0 the previous, 1 the newest
+  std::uint64_t steps = 0;  ///< steps to take now
+  double interpolation =
+      0.0;  ///< how far the frame's time lies between the last two states: 0 the previous, 1 the newest
   double dropped_seconds = 0.0;  ///< [s] given up because the frame asked for more steps than the cap
 };
 
@@ -18,8 +19,9 @@ class Clock {
   /// `step` [s] > 0; at most `max_steps` (>= 1) steps for one frame. Throws SceneError otherwise.
   explicit Clock(double step, std::uint64_t max_steps = 8);
 
-  /// Adds `frame_seconds` [s] (>= 0, finite; throws std::invalid_argument otherwise and changes nothing) and says how
-  /// many steps fit. Time beyond the cap is dropped, so a slow machine falls behind instead of stalling.
+  /// Adds `frame_seconds` [s] (>= 0, finite; throws std::invalid_argument otherwise and changes nothing) and
+  /// says how many steps fit. Time beyond the cap is dropped, so a slow machine falls behind instead of
+  /// stalling.
   Tick advance(double frame_seconds);
 
   double step() const { return step_; }

@@ -6,11 +6,11 @@
 
 #include <hooke/vec3.h>
 
-/// The effects that a scene can name, one struct of plain data each. An effect that a scene does not name is not in
-/// the plan: no memory, no pass, no branch.
+/// The effects that a scene can name, one struct of plain data each. An effect that a scene does not name is
+/// not in the plan: no memory, no pass, no branch.
 ///
-/// Every struct carries its `name` and a list of its `fields`: scene files, their schema and user interfaces read this
-/// one list, so the code and the file say the same words.
+/// Every struct carries its `name` and a list of its `fields`: scene files, their schema and user interfaces
+/// read this one list, so the code and the file say the same words.
 
 namespace hooke {
 
@@ -37,11 +37,11 @@ struct Drag {
 };
 
 /// A force that depends on place and time: F = force(x, t) on every particle.
-/// The callback gets a position [m] and a time [s] and returns a force [N]. It is called from several threads at once,
-/// so it must not change shared data; the same arguments must give the same force if runs are to be reproducible.
-/// A callback cannot be written in a scene file.
+/// The callback gets a position [m] and a time [s] and returns a force [N]. It is called from several threads
+/// at once, so it must not change shared data; the same arguments must give the same force if runs are to be
+/// reproducible. A callback cannot be written in a scene file.
 struct Field {
-  std::function<Vec3(const Vec3& position, double time)> force;
+  std::function<Vec3(const Vec3& position, double time)> force = nullptr;
 
   static constexpr std::string_view name = "field";
   template <class Self, class Visit>

@@ -4,7 +4,8 @@
 #include <memory>
 #include <type_traits>
 
-/// Whose threads the engine uses. By default its own, from oneTBB; a host that has a thread pool gives an Executor.
+/// Whose threads the engine uses. By default its own, from oneTBB; a host that has a thread pool gives an
+/// Executor.
 
 namespace hooke {
 
@@ -12,7 +13,8 @@ namespace hooke {
 class RangeFunction {
  public:
   template <class F, std::enable_if_t<!std::is_same_v<std::remove_cvref_t<F>, RangeFunction>, int> = 0>
-  RangeFunction(F&& function)  // NOLINT: implicit, so that a lambda can be passed where a RangeFunction is asked for
+  RangeFunction(
+      F&& function)  // NOLINT: implicit, so that a lambda can be passed where a RangeFunction is asked for
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(function)))),
         call_([](void* object, std::size_t begin, std::size_t end) {
           (*static_cast<std::remove_reference_t<F>*>(object))(begin, end);
@@ -33,8 +35,8 @@ class Executor {
   /// The most threads that parallel_for uses at once, >= 1.
   virtual unsigned threads() const = 0;
 
-  /// Calls `body` on ranges that together cover [0, count) once, each of at most about `grain` elements where that
-  /// helps, and returns when all are done. An exception from `body` must reach the caller.
+  /// Calls `body` on ranges that together cover [0, count) once, each of at most about `grain` elements where
+  /// that helps, and returns when all are done. An exception from `body` must reach the caller.
   virtual void parallel_for(std::size_t count, std::size_t grain, RangeFunction body) = 0;
 };
 

@@ -28,12 +28,13 @@ struct Report {
   static constexpr Index none = ~Index{0};
 
   std::uint32_t flags = flag_none;
-  std::uint64_t steps_taken = 0;     ///< good steps in this call
-  std::uint64_t step = 0;            ///< number of the last step tried, counted from 1 since the start
-  double time = 0.0;                 ///< [s] of the newest good state
-  double interpolation = 1.0;        ///< see Tick; 1 after step()
-  double dropped_seconds = 0.0;      ///< [s] see Tick
-  Index first_bad_particle = none;   ///< lowest number, in the user's numbering, with a value that is not finite
+  std::uint64_t steps_taken = 0;  ///< good steps in this call
+  std::uint64_t step = 0;         ///< number of the last step tried, counted from 1 since the start
+  double time = 0.0;              ///< [s] of the newest good state
+  double interpolation = 1.0;     ///< see Tick; 1 after step()
+  double dropped_seconds = 0.0;   ///< [s] see Tick
+  Index first_bad_particle =
+      none;  ///< lowest number, in the user's numbering, with a value that is not finite
   std::span<const SweepTime> sweeps;  ///< time of each sweep; valid until the next call on the simulation
 
   bool ok() const { return (flags & flag_not_finite) == 0; }
@@ -42,7 +43,8 @@ struct Report {
   std::string message() const;
 };
 
-/// One stage of the plan. Stages with the same sweep are fused: they run on a block of particles while it is in cache.
+/// One stage of the plan. Stages with the same sweep are fused: they run on a block of particles while it is
+/// in cache.
 struct Stage {
   std::string name;
   std::string sweep;
@@ -57,7 +59,7 @@ struct Plan {
   std::size_t model_bytes = 0;  ///< inverse masses and the maps between the user's numbering and the engine's
   std::string order;            ///< how particles are numbered inside, and why
 
-  std::size_t bytes() const;    ///< everything: state, model and stages
+  std::size_t bytes() const;  ///< everything: state, model and stages
 };
 
 /// Energies of a state [J]. Pinned particles have no kinetic and no gravitational energy here.

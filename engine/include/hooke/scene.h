@@ -11,27 +11,31 @@
 #include <hooke/effects.h>
 #include <hooke/vec3.h>
 
-/// What a user says: particles, springs, pins, triangles and effects, in the user's own numbering. Plain data: fill the
-/// arrays directly or through the small functions that keep them of one length.
+/// What a user says: particles, springs, pins, triangles and effects, in the user's own numbering. Plain
+/// data: fill the arrays directly or through the small functions that keep them of one length.
 
 namespace hooke {
 
 /// The number of a particle, a spring or a triangle.
 using Index = std::uint32_t;
 
-/// Particles as a structure of arrays. All arrays have the same length, but `velocity` may be empty: all at rest.
+/// Particles as a structure of arrays. All arrays have the same length, but `velocity` may be empty: all at
+/// rest.
 struct Particles {
   std::vector<double> mass;    ///< [kg], > 0
   std::vector<Vec3> position;  ///< [m]
   std::vector<Vec3> velocity;  ///< [m/s]
 
   std::size_t size() const { return position.size(); }
-  Vec3 velocity_of(std::size_t particle) const { return velocity.empty() ? Vec3::Zero() : velocity[particle]; }
+  Vec3 velocity_of(std::size_t particle) const {
+    return velocity.empty() ? Vec3::Zero() : velocity[particle];
+  }
 };
 
-/// Springs as a structure of arrays. All arrays have the same length, but `damping` may be empty: no spring is damped.
-/// The force on `first` is (k (l - l0) + c dl/dt) n, with n the unit vector from `first` to `second` and l their
-/// distance; `second` gets the opposite. Where l is zero there is no direction, and no force.
+/// Springs as a structure of arrays. All arrays have the same length, but `damping` may be empty: no spring
+/// is damped. The force on `first` is (k (l - l0) + c dl/dt) n, with n the unit vector from `first` to
+/// `second` and l their distance; `second` gets the opposite. Where l is zero there is no direction, and no
+/// force.
 struct Springs {
   std::vector<Index> first, second;  ///< the two particles of each spring
   std::vector<double> stiffness;     ///< k [N/m], >= 0
@@ -44,12 +48,13 @@ struct Springs {
 
 /// A point of a pin's path: from its starting position the particle is displaced by this at this time.
 struct Keyframe {
-  double time = 0.0;               ///< [s]
+  double time = 0.0;                 ///< [s]
   Vec3 displacement = Vec3::Zero();  ///< [m]
 };
 
-/// A particle that forces do not move. With an empty path it stays where it starts, at rest; otherwise it follows the
-/// path: straight lines between keyframes, the first and last displacement held before and after. Times must increase.
+/// A particle that forces do not move. With an empty path it stays where it starts, at rest; otherwise it
+/// follows the path: straight lines between keyframes, the first and last displacement held before and after.
+/// Times must increase.
 struct Pin {
   Index particle = 0;
   std::vector<Keyframe> path;

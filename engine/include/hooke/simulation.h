@@ -17,8 +17,10 @@ namespace hooke {
 
 /// How spring forces are summed. The three give the same answer up to round-off.
 enum class Accumulation {
-  gather,    ///< each particle sums its own springs in a fixed order: same bits on any number of threads; the default
-  coloured,  ///< springs in groups that share no particle, one group after the other: same bits on any number of threads
+  gather,    ///< each particle sums its own springs in a fixed order: same bits on any number of threads; the
+             ///< default
+  coloured,  ///< springs in groups that share no particle, one group after the other: same bits on any number
+             ///< of threads
   atomic,    ///< all springs at once with atomic adds: not reproducible
 };
 
@@ -29,23 +31,25 @@ struct Settings {
   Method method = SymplecticEuler{};
   double step = 1.0 / 60.0;  ///< [s], > 0
   Accumulation accumulation = Accumulation::gather;
-  unsigned threads = 0;                ///< at most this many; 0: as many as the machine has
+  unsigned threads = 0;                     ///< at most this many; 0: as many as the machine has
   std::uint64_t max_steps_per_advance = 8;  ///< cap of one advance(), >= 1
-  std::shared_ptr<Executor> executor;  ///< the host's threads; none: oneTBB's. Then `threads` is not used.
+  std::shared_ptr<Executor> executor =
+      {};  ///< the host's threads; none: oneTBB's. Then `threads` is not used.
 };
 
 /// Faults of settings and scene together.
 std::vector<Fault> validate(const Scene& scene, const Settings& settings);
 
-/// Positions and velocities in the engine's order, as arrays of particle_count() values. Valid until the next call
-/// that changes the simulation.
+/// Positions and velocities in the engine's order, as arrays of particle_count() values. Valid until the next
+/// call that changes the simulation.
 template <class Real>
 struct StateView {
   std::span<const Real> x, y, z;     ///< [m]
   std::span<const Real> vx, vy, vz;  ///< [m/s]
 };
 
-/// A copy of everything that changes while a simulation runs. Restores only into simulations of the same scene.
+/// A copy of everything that changes while a simulation runs. Restores only into simulations of the same
+/// scene.
 template <class Real>
 struct Snapshot {
   std::vector<Real> positions;   ///< x, y, z of each particle in the user's numbering [m]
@@ -65,26 +69,28 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Takes `count` steps, fewer if one goes bad: then the report says which and why, and the last good state stays.
+  /// Takes `count` steps, fewer if one goes bad: then the report says which and why, and the last good state
+  /// stays.
   Report step(std::uint64_t count = 1);
 
   /// Takes the fixed steps that fit into `frame_seconds` [s] of wall-clock time (see Clock). Throws
   /// std::invalid_argument for a time that is negative or not finite.
   Report advance(double frame_seconds);
 
-  double time() const;              ///< [s] of the newest state
-  std::uint64_t steps() const;      ///< good steps since the start
+  double time() const;          ///< [s] of the newest state
+  std::uint64_t steps() const;  ///< good steps since the start
   std::size_t particle_count() const;
   std::size_t spring_count() const;
-  unsigned threads() const;         ///< that the executor may use
+  unsigned threads() const;  ///< that the executor may use
   const Settings& settings() const;
 
   StateView<Real> state() const;
   /// For each of the user's particles, its place in state().
   Index engine_index(Index particle) const;
 
-  /// Writes x, y, z of each particle [m], in the user's numbering: the first at `first`, each `stride_bytes` after the
-  /// one before, as a vertex buffer wants it. `interpolation` goes from the previous state (0) to the newest (1).
+  /// Writes x, y, z of each particle [m], in the user's numbering: the first at `first`, each `stride_bytes`
+  /// after the one before, as a vertex buffer wants it. `interpolation` goes from the previous state (0) to
+  /// the newest (1).
   void copy_positions(float* first, std::size_t stride_bytes, double interpolation = 1.0) const;
   void copy_positions(double* first, std::size_t stride_bytes, double interpolation = 1.0) const;
   /// Likewise the newest velocities [m/s].
@@ -92,15 +98,18 @@ class Simulation {
   void copy_velocities(double* first, std::size_t stride_bytes) const;
 
   Snapshot<Real> snapshot() const;
-  /// Throws std::invalid_argument, and changes nothing, if the snapshot is of another number of particles or not finite.
+  /// Throws std::invalid_argument, and changes nothing, if the snapshot is of another number of particles or
+  /// not finite.
   void restore(const Snapshot<Real>& snapshot);
 
   const Plan& plan() const;
-  Energy energy() const;       ///< of the newest state, summed in double in a fixed order
-  Vec3 momentum() const;       ///< [kg m/s] of the particles that are not pinned
-  double max_strain() const;   ///< largest (l - l0) / l0 of the springs with l0 > 0 [1]; 0 where there are none
+  Energy energy() const;  ///< of the newest state, summed in double in a fixed order
+  Vec3 momentum() const;  ///< [kg m/s] of the particles that are not pinned
+  double max_strain()
+      const;  ///< largest (l - l0) / l0 of the springs with l0 > 0 [1]; 0 where there are none
 
-  /// A hash of the bits of time, positions and velocities in the user's numbering: equal if and (nearly) only if they are.
+  /// A hash of the bits of time, positions and velocities in the user's numbering: equal if and (nearly) only
+  /// if they are.
   std::uint64_t state_hash() const;
 
  private:

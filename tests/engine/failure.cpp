@@ -1,0 +1,145 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <hooke/hooke.h>
+
+#include "scenes.h"
+
+using namespace hooke;
+using namespace hooke::test;
+
+namespace {
+
+template <class Real>
+bool finite(const Simulation<Real>& simulation) {
+  const StateView<Real> s = simulation.state();
+  for (std::size_t i = 0; i < simulation.particle_count(); ++i) {
+    for (Real value : {s.x[i], s.y[i], s.z[i], s.vx[i], s.vy[i], s.vz[i]}) {
+      if (!std::isfinite(value)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("an unstable step ends with a report, and the last good state is kept", Real, float,
+                   double) {
+  for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+    Simulation<Real> simulation(hung_cloth(20, 20),
+                                {.step = 0.1, .accumulation = accumulation, .threads = 2});
+    const Report report = simulation.step(100'000);
+    REQUIRE_FALSE(report.ok());
+    CHECK(report.step == report.steps_taken + 1);
+    CHECK(report.step == simulation.steps() + 1);
+    REQUIRE(report.first_bad_particle < simulation.particle_count());
+    const std::string message = report.message();
+    CHECK(message.find("step " + std::to_string(report.step)) != std::string::npos);
+    CHECK(message.find("particle " + std::to_string(report.first_bad_particle)) != std::string::npos);
+    CHECK(finite(simulation));
+    CHECK(simulation.time() == doctest::Approx(0.1 * double(report.steps_taken)));
+
+    const std::uint64_t hash = simulation.state_hash();
+    const Report again = simulation.step();
+    CHECK(again.steps_taken == 0);
+    CHECK(again.step == report.step);
+    CHECK(again.first_bad_particle == report.first_bad_particle);
+    CHECK(simulation.state_hash() == hash);
+    float between[3] = {NAN, NAN, NAN};
+    if (simulation.particle_count() == 1) simulation.copy_positions(between, sizeof between, 0.5);
+  }
+}
+
+TEST_CASE("interpolation stays finite after a bad step") {
+  Scene scene = one_particle();
+  scene.effects = {Field{[](const Vec3&, double t) { return t > 0.25 ? Vec3(NAN, 0, 0) : Vec3(1, 0, 0); }}};
+  Simulation<double> simulation(scene, {.step = 0.1});
+  CHECK_FALSE(simulation.step(10).ok());
+  double between[3];
+  simulation.copy_positions(between, sizeof between, 0.5);
+  CHECK(std::isfinite(between[0]));
+}
+
+TEST_CASE("the first bad particle is the lowest of the user's numbers, on any number of threads") {
+  for (unsigned threads : {1u, 4u}) {
+    Scene scene;
+    for (int i = 0; i < 5000; ++i) scene.add_particle(1.0, Vec3(i, 0, 0));
+    scene.effects = {Field{[](const Vec3& x, double) { return Vec3(0, x.x() >= 1234 ? NAN : 0.0, 0); }}};
+    Simulation<float> simulation(scene, {.threads = threads});
+    CHECK(simulation.step().first_bad_particle == 1234);
+  }
+}
+
+TEST_CASE("what a callback throws reaches the caller, and the state is as before") {
+  for (auto accumulation : {Accumulation::gather, Accumulation::coloured}) {
+    Scene scene = hung_cloth(20, 20), calm = scene;
+    bool angry = false;
+    scene.effects.push_back(Field{[&](const Vec3&, double) -> Vec3 {
+      if (angry) throw std::runtime_error("from the field");
+      return Vec3::Zero();
+    }});
+    const Settings settings{.step = 1e-3, .accumulation = accumulation, .threads = 2};
+    Simulation<float> simulation(scene, settings), reference(calm, settings);
+    REQUIRE(simulation.step(10).ok());
+    const std::uint64_t before = simulation.state_hash();
+    angry = true;
+    CHECK_THROWS_WITH(simulation.step(), "from the field");
+    CHECK(simulation.state_hash() == before);
+    CHECK(simulation.steps() == 10);
+    angry = false;
+    REQUIRE(simulation.step(10).ok());
+    REQUIRE(reference.step(20).ok());
+    CHECK(simulation.state_hash() == reference.state_hash());
+  }
+}
+
+TEST_CASE_TEMPLATE("coincident particles, zero rest length, no springs, one particle: no NaN", Real, float,
+                   double) {
+  Scene coincident;
+  coincident.add_particle(1.0, {1, 1, 1});
+  coincident.add_particle(1.0, {1, 1, 1});
+  coincident.add_spring(0, 1, 1e3, 1.0, 5.0);
+  Scene zero_rest = coincident;
+  zero_rest.springs.rest_length[0] = 0.0;
+  Scene nearly = coincident;
+  nearly.particles.position[0] = {1.0 + 1e-12, 1, 1};  // the same place in float
+  Scene denormal;
+  denormal.add_particle(1.0, {0, 0, 0});
+  denormal.add_particle(1.0, {1e-38, 0, 0});
+  denormal.add_spring(0, 1, 1.0, 1.0, 1.0);
+  Scene tiny_rest = coincident;
+  tiny_rest.springs.rest_length[0] = 1e-38;
+  for (const Scene& scene : {coincident, zero_rest, nearly, denormal, tiny_rest, one_particle()}) {
+    for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+      for (Method method : {Method(SymplecticEuler{}), Method(ExplicitEuler{})}) {
+        Simulation<Real> simulation(scene, {.method = method, .step = 1e-3, .accumulation = accumulation});
+        CHECK(simulation.step(100).ok());
+        CHECK(finite(simulation));
+        CHECK(std::isfinite(simulation.energy().total()));
+        CHECK(std::isfinite(simulation.max_strain()));
+        CHECK(simulation.momentum().norm() < 1e-12);
+      }
+    }
+  }
+}
+
+TEST_CASE("values that a float cannot hold are refused, with the remedy") {
+  Scene scene = one_particle();
+  scene.particles.mass[0] = 1e-300;
+  CHECK_THROWS_WITH_AS(Simulation<float>{scene}, doctest::Contains("particle 0: mass is 1e-300 kg"),
+                       SceneError);
+  CHECK_NOTHROW(Simulation<double>{scene});
+  scene.particles.mass[0] = 1.0;
+  scene.add_particle(1.0, {1e200, 0, 0});
+  scene.add_spring(0, 1, 1e100, 1.0);
+  try {
+    Simulation<float> simulation(scene);
+    FAIL("accepted");
+  } catch (const SceneError& error) {
+    CHECK(error.faults().size() == 2);
+    CHECK(error.faults()[1].remedy.find("double") != std::string::npos);
+  }
+}

@@ -1,0 +1,98 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "scenes.h"
+#include "verify/order.h"
+
+using namespace hooke;
+using namespace hooke::test;
+
+namespace {
+
+/// A mass on a damped spring from a fixed point, x from the rest length, released at x0 with speed v0.
+struct DampedOscillator {
+  double mass, stiffness, damping, x0, v0;
+
+  Scene scene() const {
+    Scene scene;
+    scene.add_particle(1.0, {0, 0, 0});
+    scene.pin(0);
+    scene.add_particle(mass, {2.0 + x0, 0, 0}, {v0, 0, 0});
+    scene.add_spring(0, 1, stiffness, 2.0, damping);
+    return scene;
+  }
+
+  /// The exact motion: x'' + 2 zeta w x' + w^2 x = 0, any damping but the critical.
+  double exact(double t) const {
+    const double w = std::sqrt(stiffness / mass), zeta = damping / (2.0 * std::sqrt(stiffness * mass));
+    const std::complex<double> root = std::sqrt(std::complex<double>(zeta * zeta - 1.0));
+    const std::complex<double> a = w * (-zeta + root), b = w * (-zeta - root);
+    return (((v0 - b * x0) * std::exp(a * t) + (a * x0 - v0) * std::exp(b * t)) / (a - b)).real();
+  }
+
+  double error(const Method& method, double h, double t, Accumulation accumulation) const {
+    Simulation<double> simulation(scene(), {.method = method, .step = h, .accumulation = accumulation});
+    REQUIRE(simulation.step(std::uint64_t(std::lround(t / h))).ok());
+    return std::abs(position(simulation, 1).x() - 2.0 - exact(t));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("damped oscillator: both Euler methods converge to the closed form with order 1") {
+  const DampedOscillator under{0.5, 20.0, 0.8, 0.3, 0.1}, over{0.5, 20.0, 16.0, 0.3, 0.1};
+  for (const DampedOscillator& oscillator : {under, over}) {
+    for (const Method& method : {Method(ExplicitEuler{}), Method(SymplecticEuler{})}) {
+      for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+        std::vector<double> errors;
+        for (double h = 1e-3; h > 1e-4; h /= 2.0)
+          errors.push_back(oscillator.error(method, h, 1.0, accumulation));
+        CHECK(order_of(errors) == doctest::Approx(1.0).epsilon(0.05));
+        CHECK(errors.back() < 1e-3);
+      }
+    }
+  }
+}
+
+TEST_CASE("damping lies along the spring: motion across it is not damped") {
+  Scene scene;
+  scene.add_particle(1.0, {0, 0, 0}, {0, -1, 0});
+  scene.add_particle(1.0, {1, 0, 0}, {0, 1, 0});
+  scene.add_spring(0, 1, 0.0, 1.0, 10.0);
+  Simulation<double> simulation(scene, {.method = ExplicitEuler{}, .step = 1e-3});
+  REQUIRE(simulation.step().ok());
+  CHECK(velocity(simulation, 0) == Vec3(0, -1, 0));
+  CHECK(velocity(simulation, 1) == Vec3(0, 1, 0));
+}
+
+TEST_CASE("damped explicit Euler is stable up to h = 2 zeta / w and no further") {
+  const double mass = 1.0, stiffness = 100.0, zeta = 0.05, w = 10.0;
+  const DampedOscillator oscillator{mass, stiffness, 2.0 * zeta * std::sqrt(stiffness * mass), 0.1, 0.0};
+  const auto growth = [&](double h) {
+    Simulation<double> simulation(oscillator.scene(), {.method = ExplicitEuler{}, .step = h});
+    const double before = simulation.energy().total();
+    REQUIRE(simulation.step(20'000).ok());
+    return simulation.energy().total() / before;
+  };
+  CHECK(growth(0.99 * 2.0 * zeta / w) < 0.5);
+  CHECK(growth(1.01 * 2.0 * zeta / w) > 2.0);
+}
+
+TEST_CASE("symplectic Euler is stable up to h = (2 / w) (sqrt(1 + zeta^2) - zeta) and no further") {
+  const double mass = 1.0, stiffness = 100.0, w = 10.0;
+  for (double zeta : {0.0, 0.1, 1.0}) {
+    const DampedOscillator oscillator{mass, stiffness, 2.0 * zeta * std::sqrt(stiffness * mass), 0.01, 0.0};
+    const double limit = 2.0 / w * (std::sqrt(1.0 + zeta * zeta) - zeta);
+    const auto energy_after = [&](double h) {
+      Simulation<double> simulation(oscillator.scene(), {.step = h});
+      const double before = simulation.energy().total();
+      REQUIRE(simulation.step(400).ok());
+      return simulation.energy().total() / before;
+    };
+    // Near the limit the undamped energy of the discrete motion swings, but stays bounded.
+    CHECK(energy_after(0.99 * limit) < 200.0);
+    CHECK(energy_after(1.01 * limit) > 1e3);
+  }
+}
