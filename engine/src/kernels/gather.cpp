@@ -40,25 +40,30 @@ Neighbours<Real> shifted(const State<Real>& state, std::ptrdiff_t first) {
           state.vx() + first, state.vy() + first, state.vz() + first};
 }
 
+/// Adds one slot's forces. Everything is restrict, or the compiler would test at run time, for each slot, whether one of a
+/// dozen arrays overlaps the sums.
 template <class Real, bool damped>
-void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real* stiffness,
-              const Real* rest_length, const Real* damping, BlockForce<Real>& force) {
+void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real* __restrict stiffness,
+              const Real* __restrict rest_length, const Real* __restrict damping, BlockForce<Real>& force) {
+  const Real *__restrict ox = other.x, *__restrict oy = other.y, *__restrict oz = other.z;
+  const Real *__restrict ovx = other.vx, *__restrict ovy = other.vy, *__restrict ovz = other.vz;
+  const Real *__restrict x = own.x, *__restrict y = own.y, *__restrict z = own.z;
+  const Real *__restrict vx = own.vx, *__restrict vy = own.vy, *__restrict vz = own.vz;
+  Real *__restrict fx = force.x, *__restrict fy = force.y, *__restrict fz = force.z;
   for (std::size_t lane = 0; lane < block_size; ++lane) {
-    const Real dx = other.x[lane] - own.x[lane];
-    const Real dy = other.y[lane] - own.y[lane];
-    const Real dz = other.z[lane] - own.z[lane];
-    Real vx = 0, vy = 0, vz = 0, c = 0;
+    const Real dx = ox[lane] - x[lane], dy = oy[lane] - y[lane], dz = oz[lane] - z[lane];
+    Real dvx = 0, dvy = 0, dvz = 0, c = 0;
     if constexpr (damped) {
-      vx = other.vx[lane] - own.vx[lane];
-      vy = other.vy[lane] - own.vy[lane];
-      vz = other.vz[lane] - own.vz[lane];
+      dvx = ovx[lane] - vx[lane];
+      dvy = ovy[lane] - vy[lane];
+      dvz = ovz[lane] - vz[lane];
       c = damping[lane];
     }
     const Real factor =
-        spring_factor<Real, damped>(dx, dy, dz, vx, vy, vz, stiffness[lane], rest_length[lane], c);
-    force.x[lane] += factor * dx;
-    force.y[lane] += factor * dy;
-    force.z[lane] += factor * dz;
+        spring_factor<Real, damped>(dx, dy, dz, dvx, dvy, dvz, stiffness[lane], rest_length[lane], c);
+    fx[lane] += factor * dx;
+    fy[lane] += factor * dy;
+    fz[lane] += factor * dz;
   }
 }
 

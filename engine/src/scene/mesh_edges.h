@@ -14,8 +14,7 @@ using Edge = std::pair<Index, Index>;
 /// A side of a triangle: the lower and the higher number of its ends, and the corner opposite.
 using Side = std::array<Index, 3>;
 
-/// The sides of all triangles, sorted, so those of an edge lie together; each once even where triangles
-/// repeat.
+/// The sides of all triangles, sorted, so that those of an edge lie together; repeated ones once.
 std::vector<Side> sides_of(const std::vector<Triangle>& triangles);
 
 /// The edges of a mesh, sorted, each once.

@@ -1,0 +1,63 @@
+#include "bench_scenes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene_file/mesh_file.h"
+
+namespace hooke::bench {
+namespace {
+
+/// Half of the step at which symplectic Euler gets unstable, by the edge bound
+/// w_max^2 <= max over springs of S_i / m_i + S_j / m_j, S the sum of stiffness at a particle (Irons'
+/// theorem).
+double half_stable_step(const Scene& scene) {
+  std::vector<double> sum(scene.particles.size(), 0.0);
+  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
+    for (Index end : {scene.springs.first[s], scene.springs.second[s]})
+      sum[end] += scene.springs.stiffness[s];
+  }
+  double w_squared = 0.0;
+  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
+    const Index a = scene.springs.first[s], b = scene.springs.second[s];
+    w_squared = std::max(w_squared, sum[a] / scene.particles.mass[a] + sum[b] / scene.particles.mass[b]);
+  }
+  return 0.5 * 2.0 / std::sqrt(w_squared);
+}
+
+BenchScene finished(std::string name, Scene scene) {
+  scene.effects = {Gravity{{0.0, 0.0, 9.81}}, Drag{.coefficient = 1e-6}};
+  const double step = half_stable_step(scene);
+  return {std::move(name), std::move(scene), step};
+}
+
+}  // namespace
+
+BenchScene cloth(Index n) {
+  Scene scene;
+  const GridParticles particles = add(scene, ClothGrid{.columns = n,
+                                                       .rows = n,
+                                                       .spacing = 1.0 / n,
+                                                       .areal_density = 0.2,
+                                                       .stretch = 100.0,
+                                                       .shear = 50.0,
+                                                       .bend = 1.0});
+  scene.pin(particles.at(0, 0));
+  scene.pin(particles.at(n - 1, 0));
+  return finished("cloth_" + std::to_string(n), std::move(scene));
+}
+
+BenchScene mesh_cloth(const std::string& name, const std::string& file) {
+  const MeshFile mesh = read_mesh_file(file, 10'000'000);
+  ClothMesh cloth{.stretch = 100.0, .bend = 1.0};
+  cloth.vertices = mesh.vertices;
+  cloth.triangles = mesh.triangles;
+  Scene scene;
+  const MeshParticles particles = add(scene, cloth);
+  for (Index particle : furthest_along(scene, particles.first, particles.count, Vec3(0, 0, -1), 0.02)) {
+    scene.pin(particle);
+  }
+  return finished(name, std::move(scene));
+}
+
+}  // namespace hooke::bench

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include <hooke/hooke.h>
+
+/// The scenes that are timed.
+
+namespace hooke::bench {
+
+struct BenchScene {
+  std::string name;
+  Scene scene;
+  double step;  ///< [s] half of the largest stable one, so that a run of any length stays good
+};
+
+/// A cloth of n x n particles and 1 m, six springs a particle, hung by two corners, in gravity and drag.
+BenchScene cloth(Index n);
+
+/// A cloth from a mesh file, hung by the 2 cm furthest along -z, likewise.
+BenchScene mesh_cloth(const std::string& name, const std::string& file);
+
+}  // namespace hooke::bench
