@@ -32,14 +32,9 @@ Sweep<Real> pin_sweep(const Model<Real>& model) {
   return {"pins", [&model](Step<Real>& step) { move_pins(model.moving_pins, step.next); }};
 }
 
-template <class Real>
-Stage method_stage(const Method& method, const Model<Real>& model) {
+Stage method_stage(const Method& method) {
   const auto name = std::visit([](const auto& data) { return std::string(data.name); }, method);
-  return {name,
-          "particles",
-          {"force", "position", "velocity"},
-          {"position", "velocity"},
-          model.inverse_mass.capacity() * sizeof(Real)};
+  return {name, "particles", {"force", "position", "velocity", "inverse mass"}, {"position", "velocity"}, 0};
 }
 
 template <class Real>
@@ -56,12 +51,12 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
                              std::size_t state_bytes) {
   CompiledPlan<Real> plan;
   plan.shown.state_bytes = state_bytes;
-  plan.shown.model_bytes = model.order.bytes();
+  plan.shown.model_bytes = model.order.bytes() + model.inverse_mass.capacity() * sizeof(Real);
   plan.shown.order = model.order.reason();
   plan.shown.stages = forces.stages();
   if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces));
   plan.sweeps.push_back(particle_sweep(settings.method, model, forces));
-  plan.shown.stages.push_back(method_stage(settings.method, model));
+  plan.shown.stages.push_back(method_stage(settings.method));
   if (!model.moving_pins.empty()) {
     plan.sweeps.push_back(pin_sweep(model));
     plan.shown.stages.push_back(pin_stage(model));

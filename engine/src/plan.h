@@ -19,7 +19,8 @@ template <class Real>
 struct Step {
   const State<Real>& now;
   State<Real>& next;
-  double h;  ///< [s]
+  double h;           ///< [s]
+  double time_after;  ///< [s] of the next state
   Executor& executor;
   std::atomic<Index> first_bad{Report::none};  ///< lowest user's number with a value that is not finite
 };

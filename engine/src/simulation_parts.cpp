@@ -35,7 +35,9 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
 
 template <class Real>
 Index Simulation<Real>::Parts::take_step() {
-  Step<Real> step{now, other, settings.step, *executor};
+  // A product, not a sum of steps: a sum drifts by a rounding error in each.
+  const double time_after = time_at_step_0 + double(steps + 1) * settings.step;
+  Step<Real> step{now, other, settings.step, time_after, *executor};
   try {
     run_plan(plan, step, times);
   } catch (...) {

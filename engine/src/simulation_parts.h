@@ -25,6 +25,7 @@ struct Simulation<Real>::Parts {
   CompiledPlan<Real> plan;
   Clock clock;
   std::uint64_t steps = 0;
+  double time_at_step_0 = 0.0;  ///< [s] not zero after a snapshot from steps of another length
   std::vector<SweepTime> times;
 
   Parts(const Scene& scene, Settings given);

@@ -53,6 +53,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   p.now.time = snapshot.time;
   p.other = p.now;
   p.steps = snapshot.step;
+  p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
 }
 
 template Snapshot<float> Simulation<float>::snapshot() const;

@@ -10,7 +10,7 @@ namespace hooke {
 template <class Real>
 void run_plan(const CompiledPlan<Real>& plan, Step<Real>& step, std::vector<SweepTime>& times) {
   using Time = std::chrono::steady_clock;
-  step.next.time = step.now.time + step.h;
+  step.next.time = step.time_after;
   auto before = Time::now();
   for (std::size_t i = 0; i < plan.sweeps.size(); ++i) {
     plan.sweeps[i].run(step);

@@ -143,3 +143,15 @@ TEST_CASE("values that a float cannot hold are refused, with the remedy") {
     CHECK(error.faults()[1].remedy.find("double") != std::string::npos);
   }
 }
+
+TEST_CASE("a pinned particle is never the bad one, whatever pulls at it") {
+  Scene scene;
+  scene.add_particle(1.0, {0, 0, 0});
+  scene.add_particle(1.0, {1, 0, 0}, {1e30, 0, 0});
+  scene.add_spring(0, 1, 1e30, 1.0);
+  scene.pin(0);
+  Simulation<float> simulation(scene, {.step = 1.0});
+  const Report report = simulation.step(100);
+  REQUIRE_FALSE(report.ok());
+  CHECK(report.first_bad_particle == 1);
+}

@@ -161,3 +161,18 @@ TEST_CASE("the largest strain is that of the most stretched spring with a rest l
   CHECK(Simulation<double>(scene).max_strain() == doctest::Approx(-0.75));
   CHECK(Simulation<double>(one_particle()).max_strain() == 0.0);
 }
+
+TEST_CASE("the time of step n is n times the step, also after a snapshot") {
+  const double h = 1.0 / 60.0;
+  Simulation<float> simulation(one_particle(), {.step = h}), other(one_particle(), {.step = h / 2});
+  REQUIRE(simulation.step(1001).ok());
+  CHECK(simulation.time() == 1001 * h);
+  const auto snapshot = simulation.snapshot();
+  REQUIRE(simulation.step(10).ok());
+  simulation.restore(snapshot);
+  REQUIRE(simulation.step(4).ok());
+  CHECK(simulation.time() == 1005 * h);
+  other.restore(snapshot);
+  REQUIRE(other.step(2).ok());
+  CHECK(other.time() == doctest::Approx(1002 * h).epsilon(1e-14));
+}

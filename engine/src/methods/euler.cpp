@@ -28,7 +28,9 @@ int advance(const Real* __restrict x, const Real* __restrict v, const Real* __re
             const Real* __restrict inverse_mass, Real h, Real* __restrict next_x, Real* __restrict next_v) {
   int bad = 0;
   for (std::size_t lane = 0; lane < block_size; ++lane) {
-    const Real new_v = v[lane] + h * (force[lane] * inverse_mass[lane]);
+    // A pinned particle keeps its velocity whatever the force, also where that is not finite.
+    const Real acceleration = inverse_mass[lane] > Real(0) ? force[lane] * inverse_mass[lane] : Real(0);
+    const Real new_v = v[lane] + h * acceleration;
     const Real new_x = x[lane] + h * (move_with == MoveWith::new_velocity ? new_v : v[lane]);
     next_v[lane] = new_v;
     next_x[lane] = new_x;
