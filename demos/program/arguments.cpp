@@ -1,0 +1,124 @@
+#include "program/arguments.h"
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace hooke::program {
+namespace {
+
+/// Accepts a finite number in (least, infinity), or from `least` on where that is allowed. An error says what
+/// to give.
+CLI::Validator number(double least, bool or_equal, const std::string& remedy) {
+  return CLI::Validator(
+      [=](const std::string& text) {
+        double value = 0.0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool is_number = error == std::errc{} && stop == end && std::isfinite(value);
+        const bool in_range = value > least || (or_equal && value == least);
+        return is_number && in_range ? std::string() : text + " cannot be used; give " + remedy;
+      },
+      "");
+}
+
+CLI::Validator thread_count() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        constexpr unsigned most = 1024;
+        unsigned value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool usable = error == std::errc{} && stop == end && value <= most;
+        return usable ? std::string()
+                      : text + " cannot be used; give a whole number from 0 (all of the machine's) to 1024";
+      },
+      "");
+}
+
+CLI::Validator one_of(std::vector<std::string> names) {
+  return CLI::Validator(
+      [names](const std::string& text) {
+        if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+        return text + " is not known; give one of " + CLI::detail::join(names, ", ");
+      },
+      "");
+}
+
+const std::map<std::string, FileFormat> formats{
+    {"vtp", FileFormat::vtp}, {"obj", FileFormat::obj}, {"pc2", FileFormat::pc2}};
+
+std::string listed(const std::vector<std::string>& names) {
+  return CLI::detail::join(names, ", ");
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, Arguments& arguments) {
+  command.add_option("scene", arguments.scene, "The scene file (docs/scenes.md describes them)")
+      ->required()
+      ->type_name("SCENE.json");
+  command
+      .add_option("--mesh", arguments.mesh,
+                  "Make the scene's mesh cloths of this mesh, not of those it names")
+      ->type_name("FILE.obj");
+  command.add_option("--step", arguments.step, "Length of a step [s]; the scene's, if not given")
+      ->check(number(0.0, false, "seconds > 0, such as 0.001"))
+      ->type_name("SECONDS");
+  command
+      .add_option_function<std::string>(
+          "--method", [&](const std::string& name) { arguments.method = method_named(name); },
+          "Integration method: " + listed(method_names()) + "; the scene's, if not given")
+      ->check(one_of(method_names()))
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--accumulation",
+          [&](const std::string& name) { arguments.accumulation = accumulation_named(name); },
+          "How spring forces are summed: " + listed(accumulation_names()) +
+              "; the scene's, if not given. atomic is not reproducible")
+      ->check(one_of(accumulation_names()))
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--precision", [&](const std::string& name) { arguments.precision = *precision_named(name); },
+          "Type of the numbers that the simulation runs on: " + listed(precision_names()) +
+              "; float, if not given")
+      ->check(one_of(precision_names()))
+      ->type_name("NAME");
+  command.add_option("--threads", arguments.threads, "Threads to use at most; 0: as many as the machine has")
+      ->check(thread_count())
+      ->type_name("COUNT");
+}
+
+void add_run_options(CLI::App& command, Arguments& arguments) {
+  command.add_option("--seconds", arguments.seconds, "Time to simulate [s]; the scene's, if not given")
+      ->check(number(0.0, true, "seconds >= 0, such as 2.5"))
+      ->type_name("SECONDS");
+  command
+      .add_option("--fps", arguments.fps,
+                  "Frames for each simulated second, at most one for each step; the scene's, if not given")
+      ->check(number(0.0, false, "frames per second > 0, such as 30"))
+      ->type_name("RATE");
+  CLI::Option* const out =
+      command
+          .add_option("--out", arguments.out,
+                      "Folder to write frames to, made if need be; without it, none are written")
+          ->type_name("DIR");
+  command
+      .add_option_function<std::string>(
+          "--format", [&](const std::string& name) { arguments.format = formats.at(name); },
+          "Format of the frames: vtp (ParaView; with velocity and strain), obj (a file for each frame) or "
+          "pc2 "
+          "(Blender's mesh cache); vtp, if not given")
+      ->check(one_of({"vtp", "obj", "pc2"}))
+      ->needs(out)
+      ->type_name("NAME");
+  command.add_option("--report", arguments.report, "File for a report of the run as one JSON object")
+      ->type_name("FILE.json");
+}
+
+}  // namespace hooke::program

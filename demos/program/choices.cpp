@@ -1,0 +1,76 @@
+#include "program/choices.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+namespace hooke::program {
+namespace {
+
+constexpr std::array accumulations{Accumulation::gather, Accumulation::coloured, Accumulation::atomic};
+constexpr std::array precisions{Precision::single, Precision::twofold};
+
+template <std::size_t... I>
+std::array<Method, sizeof...(I)> methods(std::index_sequence<I...>) {
+  return {Method(std::in_place_index<I>)...};
+}
+
+/// One of each method, with its default parameters.
+auto methods() {
+  return methods(std::make_index_sequence<std::variant_size_v<Method>>{});
+}
+
+template <class Choices, class Name>
+std::vector<std::string> names(const Choices& choices, Name name) {
+  std::vector<std::string> result;
+  for (const auto& choice : choices) result.emplace_back(name(choice));
+  return result;
+}
+
+template <class Choices, class Name>
+auto find(const Choices& choices, Name name, std::string_view wanted) {
+  std::optional<typename Choices::value_type> found;
+  for (const auto& choice : choices) {
+    if (name(choice) == wanted) found = choice;
+  }
+  return found;
+}
+
+const auto method_name = [](const Method& method) { return name_of(method); };
+const auto accumulation_name = [](Accumulation accumulation) { return to_string(accumulation); };
+const auto precision_name = [](Precision precision) { return name_of(precision); };
+
+}  // namespace
+
+std::string_view name_of(const Method& method) {
+  return std::visit([](const auto& one) { return std::string_view(one.name); }, method);
+}
+
+std::string_view name_of(Precision precision) {
+  return precision == Precision::single ? "float" : "double";
+}
+
+std::vector<std::string> method_names() {
+  return names(methods(), method_name);
+}
+std::vector<std::string> accumulation_names() {
+  return names(accumulations, accumulation_name);
+}
+std::vector<std::string> precision_names() {
+  return names(precisions, precision_name);
+}
+
+std::optional<Method> method_named(std::string_view name) {
+  return find(methods(), method_name, name);
+}
+
+std::optional<Accumulation> accumulation_named(std::string_view name) {
+  return find(accumulations, accumulation_name, name);
+}
+
+std::optional<Precision> precision_named(std::string_view name) {
+  return find(precisions, precision_name, name);
+}
+
+}  // namespace hooke::program

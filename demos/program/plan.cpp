@@ -1,0 +1,72 @@
+#include "program/plan.h"
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "program/exit_code.h"
+#include "program/scene_input.h"
+
+namespace hooke::program {
+namespace {
+
+constexpr std::size_t columns = 5;
+using Row = std::array<std::string, columns>;
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "-" : text;
+}
+
+void print_table(const std::vector<Row>& rows, std::ostream& out) {
+  std::array<std::size_t, columns> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c < columns; ++c) widths[c] = std::max(widths[c], row[c].size());
+  }
+  for (const Row& row : rows) {
+    for (std::size_t c = 0; c + 1 < columns; ++c) {
+      out << std::left << std::setw(static_cast<int>(widths[c] + 2)) << row[c];
+    }
+    out << std::right << std::setw(static_cast<int>(widths.back())) << row.back() << '\n';
+  }
+}
+
+template <class Real>
+void compile_and_print(const SceneFile& file, std::ostream& out) {
+  const Simulation<Real> simulation(file.scene, file.settings);
+  print_plan(simulation.plan(), simulation.particle_count(), out);
+}
+
+}  // namespace
+
+void print_plan(const Plan& plan, std::size_t particles, std::ostream& out) {
+  std::vector<Row> rows{{"stage", "sweep", "reads", "writes", "bytes"}};
+  for (const Stage& stage : plan.stages) {
+    rows.push_back(
+        {stage.name, stage.sweep, joined(stage.reads), joined(stage.writes), std::to_string(stage.bytes)});
+  }
+  print_table(rows, out);
+  out << "\nStages of one sweep run together, on a block of particles while it is in cache.\n\n";
+  out << "state  " << plan.state_bytes << " bytes\n";
+  out << "model  " << plan.model_bytes << " bytes\n";
+  out << "total  " << plan.bytes() << " bytes, " << std::fixed << std::setprecision(1)
+      << static_cast<double>(plan.bytes()) / static_cast<double>(particles) << std::defaultfloat
+      << " for each of " << particles << " particles\n";
+  out << "order  " << plan.order << '\n';
+}
+
+int plan(const Arguments& arguments, std::ostream& out) {
+  const SceneFile file = read_scene(arguments);
+  if (arguments.precision == Precision::single) {
+    compile_and_print<float>(file, out);
+  } else {
+    compile_and_print<double>(file, out);
+  }
+  return exit_ok;
+}
+
+}  // namespace hooke::program

@@ -1,0 +1,43 @@
+# Writers of animations: from frames in the user's numbering to files for ParaView and Blender.
+add_library(hooke_writers STATIC
+  writers/atomic_file.cpp
+  writers/cells.cpp
+  writers/frame_name.cpp
+  writers/frame_writer.cpp
+  writers/obj_file.cpp
+  writers/obj_writer.cpp
+  writers/pc2_writer.cpp
+  writers/pvd_file.cpp
+  writers/strain_field.cpp
+  writers/vtp_file.cpp
+  writers/vtp_writer.cpp)
+target_include_directories(hooke_writers PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(hooke_writers PUBLIC hooke::hooke)
+hooke_warnings(hooke_writers)
+
+# The hooke program: all of it but main(), so that tests can link its parts.
+add_library(hooke_program STATIC
+  program/arguments.cpp
+  program/check.cpp
+  program/choices.cpp
+  program/frame_recorder.cpp
+  program/frame_schedule.cpp
+  program/interruption.cpp
+  program/json_report.cpp
+  program/peak_memory.cpp
+  program/plan.cpp
+  program/program.cpp
+  program/progress_bar.cpp
+  program/run.cpp
+  program/run_result.cpp
+  program/scene_input.cpp
+  program/simulate.cpp
+  program/summary.cpp)
+target_compile_definitions(hooke_program PRIVATE HOOKE_VERSION="${PROJECT_VERSION}")
+target_link_libraries(hooke_program PUBLIC hooke_scene_file hooke_writers
+                                    PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
+hooke_warnings(hooke_program)
+
+add_executable(hooke_cli program/main.cpp)
+set_target_properties(hooke_cli PROPERTIES OUTPUT_NAME hooke)
+target_link_libraries(hooke_cli PRIVATE hooke_program)

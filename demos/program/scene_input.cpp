@@ -1,0 +1,18 @@
+#include "program/scene_input.h"
+
+namespace hooke::program {
+
+SceneFile read_scene(const Arguments& arguments) {
+  SceneFileOptions options;
+  options.mesh = arguments.mesh;
+  SceneFile file = read_scene_file(arguments.scene, options);
+  if (arguments.seconds) file.seconds = *arguments.seconds;
+  if (arguments.fps) file.fps = *arguments.fps;
+  if (arguments.step) file.settings.step = *arguments.step;
+  if (arguments.method) file.settings.method = *arguments.method;
+  if (arguments.accumulation) file.settings.accumulation = *arguments.accumulation;
+  if (arguments.threads) file.settings.threads = *arguments.threads;
+  return file;
+}
+
+}  // namespace hooke::program

@@ -1,0 +1,65 @@
+#include "program/summary.h"
+
+#include <ostream>
+#include <sstream>
+
+namespace hooke::program {
+namespace {
+
+/// Three digits are what a person can use.
+std::string rounded(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+std::string speed(const RunResult& result) {
+  if (const auto ns = result.ns_per_spring_step()) return rounded(*ns) + " ns for each spring and step";
+  if (const auto ns = result.ns_per_particle_step())
+    return rounded(*ns) + " ns for each particle and step (no springs)";
+  return "no steps were taken";
+}
+
+std::string mebibytes(std::size_t bytes) {
+  return rounded(static_cast<double>(bytes) / (1024.0 * 1024.0)) + " MiB";
+}
+
+std::string bytes_of_each(std::size_t bytes, std::size_t particles) {
+  return std::to_string(particles == 0 ? 0 : bytes / particles) + " bytes";
+}
+
+void print_files(const RunResult& result, std::ostream& out) {
+  out << "  files written    ";
+  if (result.out.empty()) {
+    out << "none (--out DIR writes frames)\n";
+  } else {
+    out << result.files.size() << " in " << result.out.string() << ", to open: " << result.entry.string()
+        << '\n';
+  }
+}
+
+}  // namespace
+
+void print_summary(const RunResult& result, std::ostream& out) {
+  out << result.scene << ": " << result.particles << " particles, " << result.springs << " springs; "
+      << result.method << ", " << result.accumulation << ", " << result.precision << ", " << result.threads
+      << (result.threads == 1 ? " thread\n" : " threads\n");
+  if (result.interrupted_by != 0) out << "  interrupted; what follows is of the run so far\n";
+  out << "  steps            " << result.steps << " of " << rounded(result.step)
+      << " s: " << result.simulated_seconds << " s simulated\n";
+  out << "  wall time        " << rounded(result.wall_seconds) << " s in steps, "
+      << rounded(result.compile_seconds) << " s to compile the scene, " << rounded(result.total_wall_seconds)
+      << " s in all\n";
+  out << "  speed            " << speed(result) << '\n';
+  out << "  energy           " << result.energy_start << " J at the start, " << result.energy_end
+      << " J at the end\n";
+  out << "  largest strain   " << rounded(100.0 * result.max_strain) << " % in " << result.frames
+      << " frames, " << rounded(100.0 * result.max_strain_end) << " % at the end\n";
+  out << "  memory           " << bytes_of_each(result.simulation_bytes, result.particles)
+      << " for each particle in the simulation; peak of the process " << mebibytes(result.peak_memory_bytes)
+      << ", " << bytes_of_each(result.peak_memory_bytes, result.particles) << " for each particle\n";
+  print_files(result, out);
+}
+
+}  // namespace hooke::program

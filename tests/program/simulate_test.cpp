@@ -1,0 +1,126 @@
+#include "program/simulate.h"
+
+#include <csignal>
+#include <sstream>
+
+#include <doctest/doctest.h>
+
+namespace hooke::program {
+namespace {
+
+/// A writer that only remembers the times of its frames.
+class TimesWriter final : public FrameWriter {
+ public:
+  void write(const Frame& frame) override {
+    times.push_back(frame.time);
+    heights.push_back(frame.positions[0].y());
+    if (signal_at == times.size()) std::raise(SIGINT);
+  }
+  void finish() override {}
+  const std::vector<std::filesystem::path>& files() const override { return files_; }
+  std::filesystem::path entry() const override { return {}; }
+
+  std::vector<double> times, heights;
+  std::size_t signal_at = 0;  ///< raise Ctrl-C with this frame, counted from 1
+
+ private:
+  std::vector<std::filesystem::path> files_;
+};
+
+Scene falling_particle() {
+  Scene scene;
+  scene.add_particle(1.0, {0.0, 10.0, 0.0});
+  scene.effects = {Gravity{}};
+  return scene;
+}
+
+/// A spring that symplectic Euler cannot hold: h w = 200.
+Scene unstable_spring() {
+  Scene scene;
+  scene.add_particle(1.0, {0.0, 0.0, 0.0});
+  scene.add_particle(1.0, {0.0, 2.0, 0.0});
+  scene.add_spring(0, 1, 1e8, 1.0);
+  scene.pin(1);
+  return scene;
+}
+
+template <class Real>
+RunResult simulate_scene(const Scene& scene, const FrameSchedule& schedule, double step,
+                         TimesWriter& writer) {
+  Simulation<Real> simulation(scene, {.step = step});
+  const Interruption interruption;
+  FrameRecorder<Real> recorder(&writer);
+  std::ostringstream nowhere;
+  ProgressBar progress(nowhere, false);
+  RunResult result;
+  simulate(simulation, schedule, interruption, recorder, progress, result);
+  return result;
+}
+
+TEST_CASE_TEMPLATE("frames come at the schedule's times, from the initial state on", Real, float, double) {
+  TimesWriter writer;
+  const FrameSchedule schedule(1.0, 0.01, 10.0);
+  const RunResult result = simulate_scene<Real>(falling_particle(), schedule, 0.01, writer);
+  REQUIRE(writer.times.size() == 11);
+  for (std::size_t i = 0; i < 11; ++i)
+    CHECK(writer.times[i] == doctest::Approx(0.1 * static_cast<double>(i)));
+  CHECK(writer.heights[0] == 10.0);
+  CHECK(writer.heights[10] == doctest::Approx(10.0 - 9.81 * 0.01 * 0.01 * 100 * 101 / 2).epsilon(1e-5));
+  CHECK(result.steps == 100);
+  CHECK(result.frames == 11);
+  CHECK(result.simulated_seconds == doctest::Approx(1.0));
+  CHECK(result.bad_step == 0);
+  CHECK(result.flags == flag_none);
+  CHECK(result.max_strain == 0.0);
+  CHECK(result.wall_seconds > 0.0);
+  CHECK(!result.sweeps.empty());
+}
+
+TEST_CASE("frames and slices of steps do not change the answer") {
+  Simulation<float> at_once(falling_particle(), {.step = 0.01});
+  at_once.step(100);
+  for (const double fps : {1.0, 7.0, 100.0}) {
+    TimesWriter writer;
+    CHECK(simulate_scene<float>(falling_particle(), {1.0, 0.01, fps}, 0.01, writer).state_hash ==
+          at_once.state_hash());
+  }
+}
+
+TEST_CASE_TEMPLATE("a run that goes bad stops there and keeps the last good state as a frame", Real, float,
+                   double) {
+  TimesWriter writer;
+  const double step = 0.02;
+  const RunResult result = simulate_scene<Real>(unstable_spring(), {1e6, step, 1e-3}, step, writer);
+  CHECK(result.flags == flag_not_finite);
+  CHECK(result.first_bad_particle == 0);
+  CHECK(result.bad_step == result.steps + 1);
+  CHECK(result.message.find(std::to_string(result.bad_step)) != std::string::npos);
+  REQUIRE(writer.times.size() == 2);  // the initial state and the last good one
+  CHECK(writer.times.back() == doctest::Approx(static_cast<double>(result.steps) * step));
+  CHECK(std::isfinite(writer.heights.back()));
+}
+
+TEST_CASE("the largest strain is that of all frames, not only of the last") {
+  Scene scene;
+  scene.add_particle(1.0, {0.0, 0.0, 0.0});
+  scene.add_particle(1.0, {1.5, 0.0, 0.0});
+  scene.add_spring(0, 1, 1.0, 1.0);
+  scene.pin(0);
+  TimesWriter writer;
+  const double quarter_period = 1.5708;  // where the spring has its rest length
+  const RunResult result = simulate_scene<double>(scene, {quarter_period, 1e-3, 100.0}, 1e-3, writer);
+  CHECK(result.max_strain == doctest::Approx(0.5));
+  CHECK(std::abs(result.max_strain_end) < 0.01);
+}
+
+TEST_CASE("Ctrl-C stops a run where it is") {
+  TimesWriter writer;
+  writer.signal_at = 4;
+  const RunResult result = simulate_scene<float>(falling_particle(), {1e6, 0.01, 10.0}, 0.01, writer);
+  CHECK(result.interrupted_by == SIGINT);
+  CHECK(writer.times.size() == 4);
+  CHECK(result.steps == 30);
+}
+
+}  // namespace
+}  // namespace hooke::program
