@@ -1,0 +1,100 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "scene_file/builder_reader.h"
+#include "scene_file/json_reader.h"
+
+using namespace hooke;
+
+namespace {
+
+Json schema() {
+  return Json::parse(std::ifstream(std::string(HOOKE_DOCS) + "/scene.schema.json"));
+}
+
+std::set<std::string> keys_of(const Json& object) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+Json json_of(double value) {
+  return value;
+}
+Json json_of(Index value) {
+  return value;
+}
+Json json_of(const Vec3& value) {
+  return {value.x(), value.y(), value.z()};
+}
+
+/// The schema says the keys of a struct both ways, and the same defaults.
+template <class T>
+void check_described(const Json& definitions, std::set<std::string> others = {}) {
+  CAPTURE(T::name);
+  REQUIRE(definitions.contains(T::name));
+  const Json& properties = definitions[std::string(T::name)]["properties"];
+  std::set<std::string> expected = std::move(others);
+  T defaults;
+  T::fields(defaults, [&](std::string_view key, const auto& field) {
+    CAPTURE(key);
+    expected.insert(std::string(key));
+    if constexpr (!Described<std::decay_t<decltype(field)>>)
+      CHECK(properties[std::string(key)].value("default", Json("none")) == json_of(field));
+  });
+  CHECK(keys_of(properties) == expected);
+  CHECK(definitions[std::string(T::name)]["additionalProperties"] == false);
+}
+
+}  // namespace
+
+TEST_CASE("the schema and the structs of the library say the same keys and defaults") {
+  const Json definitions = schema()["$defs"];
+  check_described<Placement>(definitions);
+  for_each_alternative<Builder>([&]<class T>(const T&) {
+    check_described<T>(
+        definitions, std::is_same_v<T, ClothMesh> ? std::set<std::string>{"file"} : std::set<std::string>{});
+  });
+  for_each_alternative<Method>([&]<class T>(const T&) { check_described<T>(definitions); });
+  for_each_alternative<Effect>([&]<class T>(const T&) {
+    if constexpr (!std::is_same_v<T, Field>) check_described<T>(definitions);
+  });
+}
+
+TEST_CASE("the schema and the library name the same builders, effects, methods and modes") {
+  const Json whole = schema();
+  for_each_alternative<Builder>([&]<class T>(const T&) { CHECK(whole["properties"].contains(T::name)); });
+  std::set<std::string> effects, methods;
+  for_each_alternative<Effect>([&]<class T>(const T&) {
+    if (!std::is_same_v<T, Field>) effects.insert(std::string(T::name));
+  });
+  for_each_alternative<Method>([&]<class T>(const T&) { methods.insert(std::string(T::name)); });
+  CHECK(keys_of(whole["$defs"]["effects"]["properties"]) == effects);
+  CHECK(keys_of(whole["$defs"]["method"]["properties"]) == methods);
+  CHECK(whole["properties"]["accumulation"]["enum"] == Json{to_string(Accumulation::gather),
+                                                            to_string(Accumulation::coloured),
+                                                            to_string(Accumulation::atomic)});
+}
+
+TEST_CASE("the reader knows the keys of the schema at the top, and no others") {
+  const Json whole = schema();
+  const std::string unknown = "zzzzzzzzzzzzzzzzzzzzzzzzzzzzzzzz";
+  try {
+    parse_scene("{\"" + unknown + "\": 1, \"step\": 1}");
+    FAIL("an unknown key was accepted");
+  } catch (const SceneFileError& error) {
+    const std::string remedy = error.faults()[0].remedy + ",";
+    std::size_t listed = 0;
+    for (const std::string& key : keys_of(whole["properties"])) {
+      CAPTURE(key);
+      CHECK(remedy.find(" " + key + ",") != remedy.npos);
+      ++listed;
+    }
+    CHECK(static_cast<std::size_t>(std::count(remedy.begin(), remedy.end(), ',')) == listed);
+  }
+}
