@@ -9,10 +9,13 @@ class DragForce final : public BlockEffect<Real> {
   explicit DragForce(const Drag& drag) : c_(Real(drag.coefficient)) {}
 
   void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
+    const Real c = c_;
+    const Real* __restrict vx = block.vx, * __restrict vy = block.vy, * __restrict vz = block.vz;
+    Real* __restrict fx = force.x, * __restrict fy = force.y, * __restrict fz = force.z;
     for (std::size_t lane = 0; lane < block_size; ++lane) {
-      force.x[lane] -= c_ * block.vx[lane];
-      force.y[lane] -= c_ * block.vy[lane];
-      force.z[lane] -= c_ * block.vz[lane];
+      fx[lane] -= c * vx[lane];
+      fy[lane] -= c * vy[lane];
+      fz[lane] -= c * vz[lane];
     }
   }
 

@@ -17,12 +17,13 @@ class GravityForce final : public BlockEffect<Real> {
   }
 
   void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
-    const Real* mass = mass_.data() + block.first;
+    const Real* __restrict mass = mass_.data() + block.first;
+    Real* __restrict fx = force.x, * __restrict fy = force.y, * __restrict fz = force.z;
     const Real gx = g_.x(), gy = g_.y(), gz = g_.z();
     for (std::size_t lane = 0; lane < block_size; ++lane) {
-      force.x[lane] += mass[lane] * gx;
-      force.y[lane] += mass[lane] * gy;
-      force.z[lane] += mass[lane] * gz;
+      fx[lane] += mass[lane] * gx;
+      fy[lane] += mass[lane] * gy;
+      fz[lane] += mass[lane] * gz;
     }
   }
 

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "effects/block_effect.h"
 
 namespace hooke {
@@ -15,14 +13,19 @@ class GroundPlaneForce final : public BlockEffect<Real> {
         c_(Real(plane.damping)) {}
 
   void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
-    const Real nx = n_.x(), ny = n_.y(), nz = n_.z();
+    const Real nx = n_.x(), ny = n_.y(), nz = n_.z(), height = height_, k = k_, c = c_;
+    const Real* __restrict x = block.x, * __restrict y = block.y, * __restrict z = block.z;
+    const Real* __restrict vx = block.vx, * __restrict vy = block.vy, * __restrict vz = block.vz;
+    Real* __restrict fx = force.x, * __restrict fy = force.y, * __restrict fz = force.z;
     for (std::size_t lane = 0; lane < block_size; ++lane) {
-      const Real depth = height_ - (nx * block.x[lane] + ny * block.y[lane] + nz * block.z[lane]);
-      const Real speed = nx * block.vx[lane] + ny * block.vy[lane] + nz * block.vz[lane];
-      const Real push = depth > Real(0) ? std::max(k_ * depth - c_ * speed, Real(0)) : Real(0);
-      force.x[lane] += push * nx;
-      force.y[lane] += push * ny;
-      force.z[lane] += push * nz;
+      const Real depth = height - (nx * x[lane] + ny * y[lane] + nz * z[lane]);
+      const Real speed = nx * vx[lane] + ny * vy[lane] + nz * vz[lane];
+      const Real resistance = k * depth - c * speed;
+      const Real outwards = resistance > Real(0) ? resistance : Real(0);
+      const Real push = depth > Real(0) ? outwards : Real(0);
+      fx[lane] += push * nx;
+      fy[lane] += push * ny;
+      fz[lane] += push * nz;
     }
   }
 

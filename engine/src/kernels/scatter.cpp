@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "kernels/flush_subnormals.h"
+
 namespace hooke {
 namespace {
 
@@ -46,6 +48,7 @@ void scatter(const SpringList<Real>& list, std::size_t begin, std::size_t end, c
 template <class Real>
 void scatter_springs(const SpringList<Real>& list, std::size_t begin, std::size_t end,
                      const State<Real>& state, Adds adds, ForceArrays<Real>& force) {
+  const FlushSubnormals flush;
   const bool damped = !list.damping.empty();
   if (adds == Adds::atomic) {
     damped ? scatter<Real, true, Adds::atomic>(list, begin, end, state, force)

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/flush_subnormals.h"
+
 namespace hooke {
 namespace {
 
@@ -29,8 +31,8 @@ int advance(const Real* __restrict x, const Real* __restrict v, const Real* __re
   int bad = 0;
   for (std::size_t lane = 0; lane < block_size; ++lane) {
     // A pinned particle keeps its velocity whatever the force, also where that is not finite.
-    const Real acceleration = inverse_mass[lane] > Real(0) ? force[lane] * inverse_mass[lane] : Real(0);
-    const Real new_v = v[lane] + h * acceleration;
+    const Real kick = h * (force[lane] * inverse_mass[lane]);
+    const Real new_v = v[lane] + (inverse_mass[lane] > Real(0) ? kick : Real(0));
     const Real new_x = x[lane] + h * (move_with == MoveWith::new_velocity ? new_v : v[lane]);
     next_v[lane] = new_v;
     next_x[lane] = new_x;
@@ -59,6 +61,7 @@ void note_first_bad(const NextBlock<Real>& next, const Block<Real>& block, const
 template <class Real, MoveWith move_with>
 void advance_blocks(const Model<Real>& model, Forces<Real>& forces, const State<Real>& now, Real h,
                     std::size_t begin, std::size_t end, State<Real>& next, std::atomic<Index>& first_bad) {
+  const FlushSubnormals flush;
   BlockForce<Real> force;
   for (std::size_t b = begin; b < end; ++b) {
     forces.on_block(b, now, force);

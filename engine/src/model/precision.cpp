@@ -43,6 +43,22 @@ void check_spring(const Springs& springs, std::size_t s, std::vector<Fault>& fau
   if (!fits<Real>(damping)) faults.push_back(too_large("spring", s, "damping", damping, "N s/m"));
 }
 
+/// The places and speeds that a pin's path asks for; they overflow only here, as each keyframe alone is
+/// finite.
+template <class Real>
+void check_pin(const Scene& scene, std::size_t p, std::vector<Fault>& faults) {
+  const Pin& pin = scene.pins[p];
+  for (std::size_t k = 0; k < pin.path.size(); ++k) {
+    const Vec3 place = scene.particles.position[pin.particle] + pin.path[k].displacement;
+    const double furthest = place.cwiseAbs().maxCoeff();
+    if (!fits<Real>(furthest)) faults.push_back(too_large("pin", p, "position on its path", furthest, "m"));
+    if (k == 0) continue;
+    const Vec3 way = pin.path[k].displacement - pin.path[k - 1].displacement;
+    const double speed = way.cwiseAbs().maxCoeff() / (pin.path[k].time - pin.path[k - 1].time);
+    if (!fits<Real>(speed)) faults.push_back(too_large("pin", p, "speed on its path", speed, "m/s"));
+  }
+}
+
 }  // namespace
 
 template <class Real>
@@ -50,6 +66,7 @@ std::vector<Fault> validate_precision(const Scene& scene) {
   std::vector<Fault> faults;
   for (std::size_t i = 0; i < scene.particles.size(); ++i) check_particle<Real>(scene.particles, i, faults);
   for (std::size_t s = 0; s < scene.springs.size(); ++s) check_spring<Real>(scene.springs, s, faults);
+  for (std::size_t p = 0; p < scene.pins.size(); ++p) check_pin<Real>(scene, p, faults);
   return faults;
 }
 
