@@ -1,4 +1,5 @@
 #include "effects/block_effect.h"
+#include "kernels/lanes.h"
 
 namespace hooke {
 namespace {
@@ -10,12 +11,12 @@ class DragForce final : public BlockEffect<Real> {
 
   void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
     const Real c = c_;
-    const Real* __restrict vx = block.vx, * __restrict vy = block.vy, * __restrict vz = block.vz;
-    Real* __restrict fx = force.x, * __restrict fy = force.y, * __restrict fz = force.z;
+    const Real *vx = block.vx, *vy = block.vy, *vz = block.vz;
+    HOOKE_INDEPENDENT_LANES
     for (std::size_t lane = 0; lane < block_size; ++lane) {
-      fx[lane] -= c * vx[lane];
-      fy[lane] -= c * vy[lane];
-      fz[lane] -= c * vz[lane];
+      force.x[lane] -= c * vx[lane];
+      force.y[lane] -= c * vy[lane];
+      force.z[lane] -= c * vz[lane];
     }
   }
 

@@ -1,4 +1,5 @@
 #include "effects/block_effect.h"
+#include "kernels/lanes.h"
 
 namespace hooke {
 namespace {
@@ -17,13 +18,13 @@ class GravityForce final : public BlockEffect<Real> {
   }
 
   void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
-    const Real* __restrict mass = mass_.data() + block.first;
-    Real* __restrict fx = force.x, * __restrict fy = force.y, * __restrict fz = force.z;
+    const Real* mass = mass_.data() + block.first;
     const Real gx = g_.x(), gy = g_.y(), gz = g_.z();
+    HOOKE_INDEPENDENT_LANES
     for (std::size_t lane = 0; lane < block_size; ++lane) {
-      fx[lane] += mass[lane] * gx;
-      fy[lane] += mass[lane] * gy;
-      fz[lane] += mass[lane] * gz;
+      force.x[lane] += mass[lane] * gx;
+      force.y[lane] += mass[lane] * gy;
+      force.z[lane] += mass[lane] * gz;
     }
   }
 

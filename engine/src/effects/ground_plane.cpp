@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "effects/block_effect.h"
+#include "kernels/lanes.h"
 
 namespace hooke {
 namespace {
@@ -14,18 +17,18 @@ class GroundPlaneForce final : public BlockEffect<Real> {
 
   void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
     const Real nx = n_.x(), ny = n_.y(), nz = n_.z(), height = height_, k = k_, c = c_;
-    const Real* __restrict x = block.x, * __restrict y = block.y, * __restrict z = block.z;
-    const Real* __restrict vx = block.vx, * __restrict vy = block.vy, * __restrict vz = block.vz;
-    Real* __restrict fx = force.x, * __restrict fy = force.y, * __restrict fz = force.z;
+    const Real *x = block.x, *y = block.y, *z = block.z;
+    const Real *vx = block.vx, *vy = block.vy, *vz = block.vz;
+    HOOKE_INDEPENDENT_LANES
     for (std::size_t lane = 0; lane < block_size; ++lane) {
       const Real depth = height - (nx * x[lane] + ny * y[lane] + nz * z[lane]);
       const Real speed = nx * vx[lane] + ny * vy[lane] + nz * vz[lane];
       const Real resistance = k * depth - c * speed;
       const Real outwards = resistance > Real(0) ? resistance : Real(0);
       const Real push = depth > Real(0) ? outwards : Real(0);
-      fx[lane] += push * nx;
-      fy[lane] += push * ny;
-      fz[lane] += push * nz;
+      force.x[lane] += push * nx;
+      force.y[lane] += push * ny;
+      force.z[lane] += push * nz;
     }
   }
 

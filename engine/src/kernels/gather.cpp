@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "kernels/lanes.h"
+
 namespace hooke {
 namespace {
 
@@ -40,16 +42,14 @@ Neighbours<Real> shifted(const State<Real>& state, std::ptrdiff_t first) {
           state.vx() + first, state.vy() + first, state.vz() + first};
 }
 
-/// Adds one slot's forces. Everything is restrict, or the compiler would test at run time, for each slot,
-/// whether one of a dozen arrays overlaps the sums.
+/// Adds one slot's forces.
 template <class Real, bool damped>
-void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real* __restrict stiffness,
-              const Real* __restrict rest_length, const Real* __restrict damping, BlockForce<Real>& force) {
-  const Real* __restrict ox = other.x, * __restrict oy = other.y, * __restrict oz = other.z;
-  const Real* __restrict ovx = other.vx, * __restrict ovy = other.vy, * __restrict ovz = other.vz;
-  const Real* __restrict x = own.x, * __restrict y = own.y, * __restrict z = own.z;
-  const Real* __restrict vx = own.vx, * __restrict vy = own.vy, * __restrict vz = own.vz;
-  Real* __restrict fx = force.x, * __restrict fy = force.y, * __restrict fz = force.z;
+void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real* stiffness,
+              const Real* rest_length, const Real* damping, BlockForce<Real>& force) {
+  // Copies of the pointers: inside the loop they would be read again after each store.
+  const auto [ox, oy, oz, ovx, ovy, ovz] = other;
+  const Real *x = own.x, *y = own.y, *z = own.z, *vx = own.vx, *vy = own.vy, *vz = own.vz;
+  HOOKE_INDEPENDENT_LANES
   for (std::size_t lane = 0; lane < block_size; ++lane) {
     const Real dx = ox[lane] - x[lane], dy = oy[lane] - y[lane], dz = oz[lane] - z[lane];
     Real dvx = 0, dvy = 0, dvz = 0, c = 0;
@@ -61,9 +61,9 @@ void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real*
     }
     const Real factor =
         spring_factor<Real, damped>(dx, dy, dz, dvx, dvy, dvz, stiffness[lane], rest_length[lane], c);
-    fx[lane] += factor * dx;
-    fy[lane] += factor * dy;
-    fz[lane] += factor * dz;
+    force.x[lane] += factor * dx;
+    force.y[lane] += factor * dy;
+    force.z[lane] += factor * dz;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "kernels/flush_subnormals.h"
+#include "kernels/lanes.h"
 
 namespace hooke {
 namespace {
@@ -26,9 +27,10 @@ struct NextBlock {
 
 /// One coordinate of all lanes; returns a word of ones if a new value is not finite.
 template <class Real, MoveWith move_with>
-int advance(const Real* __restrict x, const Real* __restrict v, const Real* __restrict force,
-            const Real* __restrict inverse_mass, Real h, Real* __restrict next_x, Real* __restrict next_v) {
+int advance(const Real* x, const Real* v, const Real* force, const Real* inverse_mass, Real h, Real* next_x,
+            Real* next_v) {
   int bad = 0;
+  HOOKE_INDEPENDENT_LANES
   for (std::size_t lane = 0; lane < block_size; ++lane) {
     // A pinned particle keeps its velocity whatever the force, also where that is not finite.
     const Real kick = h * (force[lane] * inverse_mass[lane]);
