@@ -20,17 +20,17 @@ void write_vectors(Out* first, std::size_t stride_bytes, const Order& order, con
   }
 }
 
+/// Positions between the state before (share 0) and the one now (share 1).
 template <class Out, class Real>
-void write_positions(Out* first, std::size_t stride_bytes, const Order& order, const State<Real>& now) {
-  write_vectors(first, stride_bytes, order, [&](Index e) { return now.position(e); });
-}
-
-template <class Out, class Real>
-void write_interpolated(Out* first, std::size_t stride_bytes, const Order& order, const State<Real>& before,
-                        const State<Real>& now, Real share) {
+void write_positions(Out* first, std::size_t stride_bytes, const Order& order, const State<Real>& before,
+                     const State<Real>& now, double share) {
+  if (share == 1.0) {
+    write_vectors(first, stride_bytes, order, [&](Index e) { return now.position(e); });
+    return;
+  }
   write_vectors(first, stride_bytes, order, [&](Index e) -> Eigen::Matrix<Real, 3, 1> {
     const Eigen::Matrix<Real, 3, 1> from = before.position(e);
-    return from + share * (now.position(e) - from);
+    return from + Real(share) * (now.position(e) - from);
   });
 }
 
@@ -127,22 +127,12 @@ Index Simulation<Real>::engine_index(Index particle) const {
 
 template <class Real>
 void Simulation<Real>::copy_positions(float* first, std::size_t stride_bytes, double interpolation) const {
-  const Parts& p = *parts_;
-  if (interpolation == 1.0) {
-    write_positions(first, stride_bytes, p.model.order, p.now);
-  } else {
-    write_interpolated(first, stride_bytes, p.model.order, p.other, p.now, Real(interpolation));
-  }
+  write_positions(first, stride_bytes, parts_->model.order, parts_->other, parts_->now, interpolation);
 }
 
 template <class Real>
 void Simulation<Real>::copy_positions(double* first, std::size_t stride_bytes, double interpolation) const {
-  const Parts& p = *parts_;
-  if (interpolation == 1.0) {
-    write_positions(first, stride_bytes, p.model.order, p.now);
-  } else {
-    write_interpolated(first, stride_bytes, p.model.order, p.other, p.now, Real(interpolation));
-  }
+  write_positions(first, stride_bytes, parts_->model.order, parts_->other, parts_->now, interpolation);
 }
 
 template <class Real>
