@@ -20,8 +20,7 @@ case " $* " in
   *) set -- --out "$project/out/$(basename "$scene" .json)" "$@" ;;
 esac
 
-needed_libraries=$program_libraries
-provide $program_packages
+provide "$program_libraries" $program_packages
 
 # Tests and benchmarks are left out of a first configuration, so that their libraries are not needed here. A build that
 # test.sh or a developer configured stays as it is.

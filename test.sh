@@ -9,8 +9,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/cmake/setup.sh"
 
-needed_libraries="$program_libraries, $test_libraries"
-provide $program_packages $test_packages
+provide "$program_libraries, $test_libraries" $program_packages $test_packages
 configure -DHOOKE_BUILD_TESTS=ON -DHOOKE_BUILD_BENCHMARKS=ON
 build
 ctest --test-dir "$build_dir" --output-on-failure --no-tests=error --parallel "$(getconf _NPROCESSORS_ONLN)" "$@"

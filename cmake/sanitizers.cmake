@@ -5,10 +5,10 @@ if(HOOKE_SANITIZE)
   add_link_options(-fsanitize=${HOOKE_SANITIZE})
 endif()
 
-# hooke_oneTBB_source(TARGET SOURCE): the one source that includes oneTBB. The system's oneTBB is not built with the
+# hooke_tbb_source(TARGET SOURCE): the one source that includes oneTBB. The system's oneTBB is not built with the
 # thread sanitizer, so the parts of it that are compiled here must not be either: seeing only half of how its threads
 # hand tasks to each other, the sanitizer would report races that are none. The source itself says what order it keeps.
-function(hooke_oneTBB_source target source)
+function(hooke_tbb_source target source)
   if(HOOKE_SANITIZE MATCHES "thread")
     set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES
       COMPILE_OPTIONS -fno-sanitize=thread COMPILE_DEFINITIONS HOOKE_SANITIZES_THREADS)

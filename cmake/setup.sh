@@ -8,7 +8,7 @@ tools="a C++20 compiler (GCC 11, Clang 14 or newer), CMake 3.22 or newer, Ninja"
 program_libraries="Eigen 3, oneTBB, nlohmann-json, CLI11, tinyobjloader"
 program_packages="libeigen3-dev libtbb-dev nlohmann-json3-dev libcli11-dev libtinyobjloader-dev"
 test_libraries="doctest, Google Benchmark"
-test_packages="doctest-dev libbenchmark-dev pkg-config"
+test_packages="doctest-dev libbenchmark-dev pkg-config python3-jsonschema"
 
 fail() {
   printf '\n%s: %s\n' "$(basename "$0")" "$*" >&2
@@ -48,11 +48,12 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
 }
 
-# provide PACKAGE...: installs those that are missing, where that can be done. Where it cannot, goes on: CMake may find
-# the libraries elsewhere, and if it does not, `remedy` says what to do.
+# provide LIBRARIES PACKAGE...: installs the packages that are missing, where that can be done. Where it cannot, goes on:
+# CMake may find the libraries elsewhere, and if it does not, `remedy` says what to do.
 provide() {
   local missing
-  remedy="Hooke needs $tools, $needed_libraries."
+  remedy="Hooke needs $tools, $1."
+  shift
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     return
   fi

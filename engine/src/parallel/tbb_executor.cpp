@@ -9,6 +9,8 @@
 
 #include <hooke/executor.h>
 
+#include "parallel/fork_join.h"
+
 namespace hooke {
 namespace {
 
@@ -31,9 +33,12 @@ class TbbExecutor final : public Executor {
       body(0, count);
       return;
     }
+    ForkJoin loop;
     arena_.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                        [&](const auto& range) { body(range.begin(), range.end()); });
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+        const ForkJoin::Body inside(loop);
+        body(range.begin(), range.end());
+      });
     });
   }
 
