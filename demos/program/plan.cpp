@@ -51,12 +51,13 @@ void print_plan(const Plan& plan, std::size_t particles, std::ostream& out) {
   }
   print_table(rows, out);
   out << "\nStages of one sweep run together, on a block of particles while it is in cache.\n\n";
-  out << "state  " << plan.state_bytes << " bytes\n";
-  out << "model  " << plan.model_bytes << " bytes\n";
-  out << "total  " << plan.bytes() << " bytes, " << std::fixed << std::setprecision(1)
+  out << "state    " << plan.state_bytes << " bytes\n";
+  out << "model    " << plan.model_bytes << " bytes\n";
+  out << "total    " << plan.bytes() << " bytes, " << std::fixed << std::setprecision(1)
       << static_cast<double>(plan.bytes()) / static_cast<double>(particles) << std::defaultfloat
       << " for each of " << particles << " particles\n";
-  out << "order  " << plan.order << '\n';
+  out << "order    " << plan.order << '\n';
+  if (!plan.springs.empty()) out << "springs  " << plan.springs << '\n';
 }
 
 int plan(const Arguments& arguments, std::ostream& out) {

@@ -69,19 +69,22 @@ Stage Forces<Real>::spring_stage() const {
   std::vector<std::string> reads = {"position"};
   const bool damped = slots_ != nullptr ? slots_->damped : !list_->damping.empty();
   if (damped) reads.push_back("velocity");
-  if (slots_ != nullptr) {
-    const std::size_t shift = slots_->shift_slots(), all = slots_->slots.size();
-    const std::string kinds = std::to_string(all) + " slots, " + std::to_string(shift) + " of them shifts";
-    reads.push_back(kinds);
+  if (slots_ != nullptr)
     return {"springs (gather)", "particles", std::move(reads), {"force"}, slots_->bytes()};
+  const std::string name = adds_ == Adds::atomic ? "springs (atomic)" : "springs (coloured)";
+  return {name, "springs", std::move(reads), {"force"}, list_->bytes() + sums_.bytes()};
+}
+
+template <class Real>
+std::string Forces<Real>::spring_layout() const {
+  if (slots_ != nullptr) {
+    return std::to_string(slots_->slots.size()) + " slots of 16, " + std::to_string(slots_->shift_slots()) +
+           " of them shifts";
   }
-  const bool atomic = adds_ == Adds::atomic;
-  if (!atomic) reads.push_back(std::to_string(list_->batches()) + " colours");
-  return {atomic ? "springs (atomic)" : "springs (coloured)",
-          "springs",
-          std::move(reads),
-          {"force"},
-          list_->bytes() + sums_.bytes()};
+  if (list_ == nullptr) return "";
+  if (adds_ == Adds::atomic) return "one list";
+  return std::to_string(list_->batches()) + " colours" +
+         (list_->last_batch_serial ? ", the last on one thread" : "");
 }
 
 template <class Real>

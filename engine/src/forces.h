@@ -46,6 +46,9 @@ class Forces {
 
   std::vector<Stage> stages() const;
 
+  /// How the springs are laid out, in words; empty where there are none.
+  std::string spring_layout() const;
+
  private:
   Stage spring_stage() const;
 

@@ -53,6 +53,7 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
   plan.shown.state_bytes = state_bytes;
   plan.shown.model_bytes = model.order.bytes() + model.inverse_mass.capacity() * sizeof(Real);
   plan.shown.order = model.order.reason();
+  plan.shown.springs = forces.spring_layout();
   plan.shown.stages = forces.stages();
   if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces));
   plan.sweeps.push_back(particle_sweep(settings.method, model, forces));

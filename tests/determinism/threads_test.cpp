@@ -23,7 +23,8 @@ Scene damped_cloth() {
   return scene;
 }
 
-// Under the thread sanitizer, which takes some hundred times as long, what it looks for shows in the first steps.
+// Under the thread sanitizer, which takes some hundred times as long, what it looks for shows in the first
+// steps.
 #ifdef __SANITIZE_THREAD__
 constexpr std::uint64_t steps = 20;
 #else

@@ -62,6 +62,15 @@ TEST_CASE("springs read velocities only where one of them is damped") {
   CHECK(reads_velocity(0.01));
 }
 
+TEST_CASE("the plan says how springs and particles are laid out") {
+  CHECK(Simulation<float>(hung_cloth(64, 64)).plan().springs.find("slots of 16") != std::string::npos);
+  CHECK(Simulation<float>(hung_cloth(64, 64), {.accumulation = Accumulation::coloured})
+            .plan()
+            .springs.find("colours") != std::string::npos);
+  CHECK(Simulation<float>(one_particle()).plan().springs.empty());
+  CHECK_FALSE(Simulation<float>(one_particle()).plan().order.empty());
+}
+
 TEST_CASE("the report has a time for each sweep") {
   Simulation<float> simulation(hung_cloth(30, 30), {.step = 1e-3, .accumulation = Accumulation::coloured});
   const Report report = simulation.step(10);

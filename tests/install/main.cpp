@@ -1,4 +1,5 @@
-// A user's first program: a cloth that hangs by one corner. Exits with 0 if it fell and every position is finite.
+// A user's first program: a cloth that hangs by one corner. Exits with 0 if it fell and every position is
+// finite.
 #include <hooke/hooke.h>
 
 #include <algorithm>
@@ -17,7 +18,8 @@ int main() {
 
   std::vector<float> positions(3 * simulation.particle_count());
   simulation.copy_positions(positions.data(), 3 * sizeof(float));
-  const bool finite = std::all_of(positions.begin(), positions.end(), [](float value) { return std::isfinite(value); });
+  const bool finite =
+      std::all_of(positions.begin(), positions.end(), [](float value) { return std::isfinite(value); });
 
   const hooke::Index far_corner = cloth.at(15, 0);
   const double fall = scene.particles.position[far_corner].y() - positions[3 * far_corner + 1];

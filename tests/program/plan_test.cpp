@@ -13,6 +13,7 @@ TEST_CASE("a plan is printed as an aligned table, then what it holds") {
   plan.state_bytes = 600;
   plan.model_bytes = 400;
   plan.order = "as given";
+  plan.springs = "7 slots";
   std::ostringstream out;
   print_plan(plan, 100, out);
   CHECK(out.str() ==
@@ -22,10 +23,11 @@ TEST_CASE("a plan is printed as an aligned table, then what it holds") {
         "\n"
         "Stages of one sweep run together, on a block of particles while it is in cache.\n"
         "\n"
-        "state  600 bytes\n"
-        "model  400 bytes\n"
-        "total  5000 bytes, 50.0 for each of 100 particles\n"
-        "order  as given\n");
+        "state    600 bytes\n"
+        "model    400 bytes\n"
+        "total    5000 bytes, 50.0 for each of 100 particles\n"
+        "order    as given\n"
+        "springs  7 slots\n");
 }
 
 }  // namespace

@@ -62,6 +62,10 @@ void hang(const std::string& scene_name, const std::string& mesh_name, std::size
 
 }  // namespace
 
-TEST_CASE("square26K hangs from its upper edge") { hang("mesh_cloth.json", "square26K.obj", 26'099); }
+TEST_CASE("square26K hangs from its upper edge") {
+  hang("mesh_cloth.json", "square26K.obj", 26'099);
+}
 
-TEST_CASE("skirt32K hangs from its waist") { hang("skirt.json", "skirt32K.obj", 32'558); }
+TEST_CASE("skirt32K hangs from its waist") {
+  hang("skirt.json", "skirt32K.obj", 32'558);
+}

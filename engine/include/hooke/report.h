@@ -58,6 +58,7 @@ struct Plan {
   std::size_t state_bytes = 0;  ///< positions and velocities, now and before
   std::size_t model_bytes = 0;  ///< inverse masses and the maps between the user's numbering and the engine's
   std::string order;            ///< how particles are numbered inside, and why
+  std::string springs;          ///< how springs are laid out; empty where there are none
 
   std::size_t bytes() const;  ///< everything: state, model and stages
 };
