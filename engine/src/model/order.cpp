@@ -26,6 +26,7 @@ double grid_share(const Springs& springs) {
     ++count[a < b ? b - a : a - b];
   }
   std::vector<std::size_t> counts;
+  counts.reserve(count.size());
   for (const auto& [distance, n] : count) counts.push_back(n);
   std::sort(counts.rbegin(), counts.rend());
   std::size_t covered = 0;

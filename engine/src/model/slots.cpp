@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <unordered_map>
+#include <functional>
 
 namespace hooke {
 namespace {
@@ -31,8 +30,7 @@ class RowStore {
  public:
   std::uint32_t row(const std::array<Real, block_size>& lanes) {
     std::uint32_t& known = table_[hash(lanes) % table_.size()];
-    if (known != none &&
-        std::memcmp(&values[std::size_t(known) * block_size], lanes.data(), sizeof lanes) == 0) {
+    if (known != none && std::equal(lanes.begin(), lanes.end(), &values[std::size_t(known) * block_size])) {
       return known;
     }
     known = std::uint32_t(values.size() / block_size);
