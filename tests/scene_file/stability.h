@@ -14,7 +14,7 @@ namespace hooke::test {
 /// An upper bound of the largest eigenvalue of M^-1 (h^2 K + 2 h C) for a scene and a step h [s]: K the
 /// stiffness and C the damping of springs, drag and ground, pinned particles of infinite mass. Symplectic
 /// Euler is stable where this is below 4: a mode obeys R^2 - (2 - h^2 k - h c) R + (1 - h c) = 0, whose roots
-/// stay in the unit circle as long as h^2 k + 2 h c < 4 (REFERENCES 2.1 in the usual k = w^2, c = 2 zeta w).
+/// stay in the unit circle as long as h^2 k + 2 h c < 4 (with the usual k = w^2, c = 2 zeta w).
 /// The bound is Gershgorin's on edges: the largest, over springs, of the sum over both ends of what pulls at
 /// an end divided by its mass.
 inline double stability_number(const Scene& scene, double step) {

@@ -39,7 +39,7 @@ int advance(const Real* x, const Real* v, const Real* force, const Real* inverse
     next_v[lane] = new_v;
     next_x[lane] = new_x;
     constexpr Real largest = std::numeric_limits<Real>::max();
-    bad |= !(std::abs(new_v) <= largest) | !(std::abs(new_x) <= largest);
+    bad |= int(!(std::abs(new_v) <= largest)) | int(!(std::abs(new_x) <= largest));
   }
   return bad;
 }
