@@ -27,10 +27,15 @@ template <class Real>
 void Forces<Real>::scatter(const State<Real>& state, Executor& executor) {
   for (std::size_t batch = 0; batch < list_->batches(); ++batch) {
     const std::size_t first = list_->batch_begin[batch], count = list_->batch_begin[batch + 1] - first;
-    const bool serial = list_->last_batch_serial && batch + 1 == list_->batches();
-    executor.parallel_for(count, serial ? count : spring_grain, [&](std::size_t begin, std::size_t end) {
+    const auto run = [&](std::size_t begin, std::size_t end) {
       scatter_springs(*list_, first + begin, first + end, state, adds_, sums_);
-    });
+    };
+    const bool serial = list_->last_batch_serial && batch + 1 == list_->batches();
+    if (serial) {
+      run(0, count);
+    } else {
+      executor.parallel_for(count, spring_grain, run);
+    }
   }
 }
 

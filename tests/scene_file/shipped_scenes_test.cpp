@@ -24,7 +24,7 @@ std::vector<fs::path> shipped_scenes() {
 
 /// The mesh that a shipped scene is for; empty where it needs none.
 fs::path mesh_of(const fs::path& scene) {
-  const fs::path data = HOOKE_TEST_DATA;
+  const fs::path data = HOOKE_MESHES;
   if (scene.stem() == "mesh_cloth") return data / "square26K.obj";
   if (scene.stem() == "skirt") return data / "skirt32K.obj";
   return {};

@@ -1,5 +1,9 @@
 #pragma once
 
+#if defined(__cplusplus) && __cplusplus < 202002L && !defined(_MSVC_LANG)
+#error "Hooke needs C++20: compile with -std=c++20 or newer"
+#endif
+
 /// Everything of Hooke, the mass-spring engine.
 
 #include <hooke/builders.h>
