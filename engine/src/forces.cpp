@@ -7,7 +7,6 @@ namespace {
 
 /// Springs that one thread takes at a time: long enough to hide the cost of handing them out.
 constexpr std::size_t spring_grain = 4096;
-constexpr std::size_t block_run = 256;
 
 }  // namespace
 
@@ -74,10 +73,9 @@ Stage Forces<Real>::spring_stage() const {
   std::vector<std::string> reads = {"position"};
   const bool damped = slots_ != nullptr ? slots_->damped : !list_->damping.empty();
   if (damped) reads.push_back("velocity");
-  if (slots_ != nullptr)
-    return {"springs (gather)", "particles", std::move(reads), {"force"}, slots_->bytes()};
+  if (slots_ != nullptr) return {"springs (gather)", "", std::move(reads), {"force"}, slots_->bytes()};
   const std::string name = adds_ == Adds::atomic ? "springs (atomic)" : "springs (coloured)";
-  return {name, "springs", std::move(reads), {"force"}, list_->bytes() + sums_.bytes()};
+  return {name, "", std::move(reads), {"force"}, list_->bytes() + sums_.bytes()};
 }
 
 template <class Real>
@@ -93,14 +91,12 @@ std::string Forces<Real>::spring_layout() const {
 }
 
 template <class Real>
-std::vector<Stage> Forces<Real>::stages() const {
+std::vector<Stage> Forces<Real>::block_stages() const {
   std::vector<Stage> stages;
-  if (slots_ != nullptr || list_ != nullptr) stages.push_back(spring_stage());
+  if (slots_ != nullptr) stages.push_back(spring_stage());
   for (const BlockEffectPointer<Real>& effect : effects_) {
-    Stage stage = effect->stage();
-    stage.sweep = "particles";
-    stage.writes = {"force"};
-    stages.push_back(std::move(stage));
+    stages.push_back(effect->stage());
+    stages.back().writes = {"force"};
   }
   return stages;
 }

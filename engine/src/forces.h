@@ -44,14 +44,16 @@ class Forces {
   /// Potential energy [J] of the effects on a block.
   double effect_energy(const Block<Real>& block) const;
 
-  std::vector<Stage> stages() const;
+  /// The springs, of which there must be some. As of all stages here, the plan says in which sweep.
+  Stage spring_stage() const;
+
+  /// What on_block() does: gathered springs, and effects.
+  std::vector<Stage> block_stages() const;
 
   /// How the springs are laid out, in words; empty where there are none.
   std::string spring_layout() const;
 
  private:
-  Stage spring_stage() const;
-
   const Slots<Real>* slots_ = nullptr;
   const SpringList<Real>* list_ = nullptr;
   Adds adds_ = Adds::plain;

@@ -8,9 +8,6 @@
 namespace hooke {
 namespace {
 
-/// Blocks that are summed by one thread before the sums are added in order.
-constexpr std::size_t block_run = 256;
-
 template <class Real>
 ParticleSums sum_block(const Model<Real>& model, const Forces<Real>& forces, const Block<Real>& block) {
   ParticleSums sum;

@@ -10,11 +10,19 @@ constexpr std::size_t block_grain = 64;
 
 template <class Real>
 Sweep<Real> spring_sweep(Forces<Real>& forces) {
-  return {"springs", [&forces](Step<Real>& step) { forces.scatter(step.now, step.executor); }};
+  const auto run = [&forces](Step<Real>& step) { forces.scatter(step.now, step.executor); };
+  return {"springs", {forces.spring_stage()}, run};
+}
+
+Stage method_stage(const Method& method) {
+  const auto name = std::visit([](const auto& data) { return std::string(data.name); }, method);
+  return {name, "", {"force", "position", "velocity", "inverse mass"}, {"position", "velocity"}, 0};
 }
 
 template <class Real>
 Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Forces<Real>& forces) {
+  std::vector<Stage> stages = forces.block_stages();
+  stages.push_back(method_stage(method));
   const auto run = [method, &model, &forces](Step<Real>& step) {
     step.executor.parallel_for(
         block_count(model.particles()), block_grain, [&](std::size_t begin, std::size_t end) {
@@ -24,24 +32,30 @@ Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Force
           std::visit(euler, method);
         });
   };
-  return {"particles", run};
-}
-
-template <class Real>
-Sweep<Real> pin_sweep(const Model<Real>& model) {
-  return {"pins", [&model](Step<Real>& step) { move_pins(model.moving_pins, step.next); }};
-}
-
-Stage method_stage(const Method& method) {
-  const auto name = std::visit([](const auto& data) { return std::string(data.name); }, method);
-  return {name, "particles", {"force", "position", "velocity", "inverse mass"}, {"position", "velocity"}, 0};
+  return {"particles", std::move(stages), run};
 }
 
 template <class Real>
 Stage pin_stage(const Model<Real>& model) {
   std::size_t bytes = model.moving_pins.capacity() * sizeof(MovingPin);
   for (const MovingPin& pin : model.moving_pins) bytes += pin.path.capacity() * sizeof(Keyframe);
-  return {"moving pins", "pins", {"time"}, {"position", "velocity"}, bytes};
+  return {"moving pins", "", {"time"}, {"position", "velocity"}, bytes};
+}
+
+template <class Real>
+Sweep<Real> pin_sweep(const Model<Real>& model) {
+  return {
+      "pins", {pin_stage(model)}, [&model](Step<Real>& step) { move_pins(model.moving_pins, step.next); }};
+}
+
+/// What is shown of the sweeps: their stages, each with its sweep's name.
+template <class Real>
+std::vector<Stage> stages_of(const std::vector<Sweep<Real>>& sweeps) {
+  std::vector<Stage> stages;
+  for (const Sweep<Real>& sweep : sweeps) {
+    for (const Stage& stage : sweep.stages) stages.emplace_back(stage).sweep = sweep.name;
+  }
+  return stages;
 }
 
 }  // namespace
@@ -50,18 +64,14 @@ template <class Real>
 CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
                              std::size_t state_bytes) {
   CompiledPlan<Real> plan;
+  if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces));
+  plan.sweeps.push_back(particle_sweep(settings.method, model, forces));
+  if (!model.moving_pins.empty()) plan.sweeps.push_back(pin_sweep(model));
+  plan.shown.stages = stages_of(plan.sweeps);
   plan.shown.state_bytes = state_bytes;
   plan.shown.model_bytes = model.order.bytes() + model.inverse_mass.capacity() * sizeof(Real);
   plan.shown.order = model.order.reason();
   plan.shown.springs = forces.spring_layout();
-  plan.shown.stages = forces.stages();
-  if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces));
-  plan.sweeps.push_back(particle_sweep(settings.method, model, forces));
-  plan.shown.stages.push_back(method_stage(settings.method));
-  if (!model.moving_pins.empty()) {
-    plan.sweeps.push_back(pin_sweep(model));
-    plan.shown.stages.push_back(pin_stage(model));
-  }
   return plan;
 }
 

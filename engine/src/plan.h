@@ -29,6 +29,7 @@ struct Step {
 template <class Real>
 struct Sweep {
   std::string name;
+  std::vector<Stage> stages;
   std::function<void(Step<Real>&)> run;
 };
 

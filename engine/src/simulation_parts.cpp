@@ -10,20 +10,21 @@ std::shared_ptr<Executor> executor_of(const Settings& settings) {
   return settings.executor ? settings.executor : make_tbb_executor(settings.threads);
 }
 
+/// The settings, if they and the scene can be simulated; throws SceneError with every fault if not.
 template <class Real>
-const Scene& valid(const Scene& scene, const Settings& settings) {
+Settings validated(const Scene& scene, Settings settings) {
   std::vector<Fault> faults = validate(scene, settings);
   if (faults.empty()) faults = validate_precision<Real>(scene);
   if (!faults.empty()) throw SceneError(std::move(faults));
-  return scene;
+  return settings;
 }
 
 }  // namespace
 
 template <class Real>
 Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
-    : settings(std::move(given)),
-      executor((valid<Real>(scene, settings), executor_of(settings))),
+    : settings(validated<Real>(scene, std::move(given))),
+      executor(executor_of(settings)),
       model(scene, settings.accumulation, *executor),
       forces(scene, model, settings.accumulation),
       now(initial_state(scene, model)),

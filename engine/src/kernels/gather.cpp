@@ -67,25 +67,31 @@ void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real*
   }
 }
 
+/// Calls visit(slot, neighbours) for each slot of a block, in the order in which forces are summed. The
+/// neighbours have velocities where `damped` is true.
+template <bool damped, class Real, class Visit>
+void for_each_slot(const Slots<Real>& slots, const State<Real>& state, std::size_t block,
+                   const Visit& visit) {
+  const auto first = std::ptrdiff_t(block * block_size);
+  for (std::uint32_t s = slots.first_shift[block]; s < slots.first_indexed[block]; ++s) {
+    visit(slots.slots[s], shifted(state, first + slots.slots[s].shift));
+  }
+  NeighbourCopy<Real> copy;
+  for (std::uint32_t s = slots.first_indexed[block]; s < slots.first_shift[block + 1]; ++s) {
+    const Index* neighbours = slots.neighbours.data() + std::size_t(slots.slots[s].neighbours) * block_size;
+    visit(slots.slots[s], copy.template fill<damped>(state, neighbours));
+  }
+}
+
 template <class Real, bool damped>
 void gather_block(const Slots<Real>& slots, const State<Real>& state, std::size_t block,
                   BlockForce<Real>& force) {
   const Block<Real> own(state, block);
   BlockForce<Real> sum{};
-  const auto add = [&](const typename Slots<Real>::Slot& slot, const Neighbours<Real>& other) {
+  for_each_slot<damped>(slots, state, block, [&](const auto& slot, const Neighbours<Real>& other) {
     add_slot<Real, damped>(own, other, slots.row(slot.stiffness), slots.row(slot.rest_length),
                            slots.row(slot.damping), sum);
-  };
-  for (std::uint32_t s = slots.first_shift[block]; s < slots.first_indexed[block]; ++s) {
-    const auto& slot = slots.slots[s];
-    add(slot, shifted(state, std::ptrdiff_t(own.first) + slot.shift));
-  }
-  NeighbourCopy<Real> copy;
-  for (std::uint32_t s = slots.first_indexed[block]; s < slots.first_shift[block + 1]; ++s) {
-    const auto& slot = slots.slots[s];
-    const Index* neighbours = slots.neighbours.data() + std::size_t(slot.neighbours) * block_size;
-    add(slot, copy.template fill<damped>(state, neighbours));
-  }
+  });
   force = sum;
 }
 
@@ -105,7 +111,7 @@ template <class Real>
 SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& state, std::size_t block) {
   const Block<Real> own(state, block);
   SpringMeasure measure;
-  const auto add = [&](const typename Slots<Real>::Slot& slot, const Neighbours<Real>& other) {
+  for_each_slot<false>(slots, state, block, [&](const auto& slot, const Neighbours<Real>& other) {
     const Real *stiffness = slots.row(slot.stiffness), *rest_length = slots.row(slot.rest_length);
     for (std::size_t lane = 0; lane < own.particles; ++lane) {
       // A lane without a spring has no rest length, and adds nothing.
@@ -114,15 +120,7 @@ SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& stat
                      double(other.z[lane]) - double(own.z[lane]));
       measure.add_spring(length, double(stiffness[lane]), double(rest_length[lane]));
     }
-  };
-  for (std::uint32_t s = slots.first_shift[block]; s < slots.first_indexed[block]; ++s) {
-    add(slots.slots[s], shifted(state, std::ptrdiff_t(own.first) + slots.slots[s].shift));
-  }
-  NeighbourCopy<Real> copy;
-  for (std::uint32_t s = slots.first_indexed[block]; s < slots.first_shift[block + 1]; ++s) {
-    const Index* neighbours = slots.neighbours.data() + std::size_t(slots.slots[s].neighbours) * block_size;
-    add(slots.slots[s], copy.template fill<false>(state, neighbours));
-  }
+  });
   measure.energy *= 0.5;
   return measure;
 }

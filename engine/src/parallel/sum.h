@@ -7,6 +7,9 @@
 
 namespace hooke {
 
+/// Blocks of particles in a run: long enough to hide the cost of handing runs out.
+inline constexpr std::size_t block_run = 256;
+
 /// Combines part(begin, end) over runs of a fixed length, in order: the same bits on any number of threads.
 /// A Result has add(Result).
 template <class Result, class Part>
