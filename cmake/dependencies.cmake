@@ -1,8 +1,10 @@
-# Everything that Hooke is built with, found where the system installed it. The library alone needs Eigen and oneTBB.
+# Everything that Hooke is built with, found where the system installed it. The library alone needs Eigen, oneTBB
+# and Highway.
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
 if(HOOKE_BUILD_DEMOS)
   find_package(nlohmann_json 3.10 REQUIRED)
   find_package(CLI11 2.1 REQUIRED)

@@ -25,7 +25,7 @@ endif()
 set(HOOKE_PC_REQUIRES "eigen3")
 set(HOOKE_PC_LIBS "-L\${libdir} -lhooke")
 if(HOOKE_IS_STATIC)
-  string(APPEND HOOKE_PC_REQUIRES ", tbb")
+  string(APPEND HOOKE_PC_REQUIRES ", tbb, libhwy")
   string(APPEND HOOKE_PC_LIBS " -pthread")
 endif()
 

@@ -1,5 +1,8 @@
 #include "forces.h"
 
+#include <iomanip>
+#include <sstream>
+
 #include "parallel/sum.h"
 
 namespace hooke {
@@ -8,11 +11,18 @@ namespace {
 /// Springs that one thread takes at a time: long enough to hide the cost of handing them out.
 constexpr std::size_t spring_grain = 4096;
 
+std::string percent(double share) {
+  std::ostringstream text;
+  text << std::setprecision(3) << 100.0 * share << " %";
+  return text.str();
+}
+
 }  // namespace
 
 template <class Real>
 Forces<Real>::Forces(const Scene& scene, const Model<Real>& model, Accumulation accumulation)
-    : slots_(std::get_if<Slots<Real>>(&model.spring_layout)),
+    : springs_(model.springs),
+      slots_(std::get_if<Slots<Real>>(&model.spring_layout)),
       list_(std::get_if<SpringList<Real>>(&model.spring_layout)),
       adds_(accumulation == Accumulation::atomic ? Adds::atomic : Adds::plain),
       sums_(list_ != nullptr ? model.particles() : 0) {
@@ -62,9 +72,9 @@ SpringMeasure Forces<Real>::measure_springs(const State<Real>& state, Executor& 
 }
 
 template <class Real>
-double Forces<Real>::effect_energy(const Block<Real>& block) const {
+double Forces<Real>::effect_energy(const Strip<Real>& strip) const {
   double sum = 0.0;
-  for (const BlockEffectPointer<Real>& effect : effects_) sum += effect->energy(block);
+  for (const StripEffectPointer<Real>& effect : effects_) sum += effect->energy(strip);
   return sum;
 }
 
@@ -81,8 +91,9 @@ Stage Forces<Real>::spring_stage() const {
 template <class Real>
 std::string Forces<Real>::spring_layout() const {
   if (slots_ != nullptr) {
-    return std::to_string(slots_->slots.size()) + " slots of 16, " + std::to_string(slots_->shift_slots()) +
-           " of them shifts";
+    const SlotCount count = count_slots(*slots_, springs_);
+    return std::to_string(count.slots) + " slots of 16, " + percent(count.shift_share()) +
+           " of them shifts, " + percent(count.empty_share()) + " of the lanes empty";
   }
   if (list_ == nullptr) return "";
   if (adds_ == Adds::atomic) return "one list";
@@ -91,10 +102,10 @@ std::string Forces<Real>::spring_layout() const {
 }
 
 template <class Real>
-std::vector<Stage> Forces<Real>::block_stages() const {
+std::vector<Stage> Forces<Real>::strip_stages() const {
   std::vector<Stage> stages;
   if (slots_ != nullptr) stages.push_back(spring_stage());
-  for (const BlockEffectPointer<Real>& effect : effects_) {
+  for (const StripEffectPointer<Real>& effect : effects_) {
     stages.push_back(effect->stage());
     stages.back().writes = {"force"};
   }

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "block.h"
-#include "effects/block_effect.h"
+#include "effects/strip_effect.h"
 #include "kernels/gather.h"
 #include "kernels/scatter.h"
 #include "model/model.h"
+#include "strip.h"
 
 namespace hooke {
 
@@ -20,20 +20,20 @@ class Forces {
 
   bool scatters() const { return list_ != nullptr; }
 
-  /// Adds up the scattered springs' forces; on_block() then takes them, so it must be called for every block.
+  /// Adds up the scattered springs' forces; on_strip() then takes them, so it must be called for every block.
   void scatter(const State<Real>& state, Executor& executor);
 
-  /// The whole force [N] on the particles of a block.
-  void on_block(std::size_t block, const State<Real>& state, BlockForce<Real>& force) {
+  /// The whole force [N] on the particles of a strip.
+  void on_strip(const Strip<Real>& strip, const State<Real>& state, StripForce<Real>& force) {
+    const std::size_t begin = strip.first / block_size, end = begin + strip.lanes / block_size;
     if (slots_ != nullptr) {
-      gather_springs(*slots_, state, block, force);
+      gather_springs(*slots_, state, begin, end, force);
     } else if (list_ != nullptr) {
-      sums_.take(block, force);
+      sums_.take(strip, force);
     } else {
-      force = BlockForce<Real>{};
+      force = StripForce<Real>{};
     }
-    const Block<Real> particles(state, block);
-    for (const BlockEffectPointer<Real>& effect : effects_) effect->add_force(particles, state.time, force);
+    for (const StripEffectPointer<Real>& effect : effects_) effect->add_force(strip, state.time, force);
   }
 
   /// Forgets sums that no block took, after a step that was broken off.
@@ -41,24 +41,25 @@ class Forces {
 
   SpringMeasure measure_springs(const State<Real>& state, Executor& executor) const;
 
-  /// Potential energy [J] of the effects on a block.
-  double effect_energy(const Block<Real>& block) const;
+  /// Potential energy [J] of the effects on a strip.
+  double effect_energy(const Strip<Real>& strip) const;
 
   /// The springs, of which there must be some. As of all stages here, the plan says in which sweep.
   Stage spring_stage() const;
 
-  /// What on_block() does: gathered springs, and effects.
-  std::vector<Stage> block_stages() const;
+  /// What on_strip() does: gathered springs, and effects.
+  std::vector<Stage> strip_stages() const;
 
   /// How the springs are laid out, in words; empty where there are none.
   std::string spring_layout() const;
 
  private:
+  std::size_t springs_ = 0;
   const Slots<Real>* slots_ = nullptr;
   const SpringList<Real>* list_ = nullptr;
   Adds adds_ = Adds::plain;
   ForceArrays<Real> sums_;
-  std::vector<BlockEffectPointer<Real>> effects_;
+  std::vector<StripEffectPointer<Real>> effects_;
 };
 
 }  // namespace hooke

@@ -9,16 +9,16 @@ namespace hooke {
 namespace {
 
 template <class Real>
-ParticleSums sum_block(const Model<Real>& model, const Forces<Real>& forces, const Block<Real>& block) {
+ParticleSums sum_strip(const Model<Real>& model, const Forces<Real>& forces, const Strip<Real>& strip) {
   ParticleSums sum;
-  for (std::size_t lane = 0; lane < block.particles; ++lane) {
-    const double inverse_mass = double(model.inverse_mass[block.first + lane]);
+  for (std::size_t lane = 0; lane < strip.particles; ++lane) {
+    const double inverse_mass = double(model.inverse_mass[strip.first + lane]);
     if (inverse_mass == 0.0) continue;
-    const Vec3 velocity(block.vx[lane], block.vy[lane], block.vz[lane]);
+    const Vec3 velocity(strip.vx[lane], strip.vy[lane], strip.vz[lane]);
     sum.kinetic += 0.5 * velocity.squaredNorm() / inverse_mass;
     sum.momentum += velocity / inverse_mass;
   }
-  sum.external = forces.effect_energy(block);
+  sum.external = forces.effect_energy(strip);
   return sum;
 }
 
@@ -44,8 +44,9 @@ ParticleSums sum_particles(const Model<Real>& model, const Forces<Real>& forces,
   return sum_in_order<ParticleSums>(executor, block_count(state.size()), block_run,
                                     [&](std::size_t begin, std::size_t end) {
                                       ParticleSums sum;
-                                      for (std::size_t b = begin; b < end; ++b)
-                                        sum.add(sum_block(model, forces, Block<Real>(state, b)));
+                                      for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
+                                        sum.add(sum_strip(model, forces, Strip<Real>(state, first, last)));
+                                      });
                                       return sum;
                                     });
 }

@@ -21,7 +21,7 @@ Stage method_stage(const Method& method) {
 
 template <class Real>
 Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Forces<Real>& forces) {
-  std::vector<Stage> stages = forces.block_stages();
+  std::vector<Stage> stages = forces.strip_stages();
   stages.push_back(method_stage(method));
   const auto run = [method, &model, &forces](Step<Real>& step) {
     step.executor.parallel_for(

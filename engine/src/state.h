@@ -16,16 +16,30 @@ inline std::size_t block_count(std::size_t particles) {
   return (particles + block_size - 1) / block_size;
 }
 
+/// Values of one particle in a packed array: x, y, z and one unused, so that a particle is one vector load.
+inline constexpr std::size_t packed_width = 4;
+
+/// Which packed copies a state keeps beside its arrays, for neighbours that are read one by one.
+enum class Packed { none, positions, positions_and_velocities };
+
 /// Positions [m], velocities [m/s] and time [s]: all that changes from step to step. Structure of arrays in
 /// the engine's order, padded with zeros to whole blocks.
 ///
 /// Before and behind each array lies one more block of zeros, so that a vector load of the neighbours i + d
 /// of a whole block stays inside although some of its lanes have no such neighbour.
+///
+/// Who writes positions or velocities through the arrays writes the packed copies too; set_position and
+/// set_velocity do.
 template <class Real>
 class State {
  public:
-  explicit State(std::size_t particles)
-      : particles_(particles), stride_(array_stride(particles)), values_(6 * stride_, Real(0)) {}
+  explicit State(std::size_t particles, Packed packed = Packed::none)
+      : particles_(particles),
+        stride_(array_stride(particles)),
+        values_(6 * stride_, Real(0)),
+        packed_positions_(packed == Packed::none ? 0 : packed_size(particles), Real(0)),
+        packed_velocities_(packed == Packed::positions_and_velocities ? packed_size(particles) : 0, Real(0)) {
+  }
 
   std::size_t size() const { return particles_; }
 
@@ -42,26 +56,45 @@ class State {
   const Real* vy() const { return array(4); }
   const Real* vz() const { return array(5); }
 
+  /// packed_width values for each particle, the padding included; null where there is no such copy.
+  Real* packed_positions() { return packed_positions_.empty() ? nullptr : packed_positions_.data(); }
+  Real* packed_velocities() { return packed_velocities_.empty() ? nullptr : packed_velocities_.data(); }
+  const Real* packed_positions() const { return const_cast<State*>(this)->packed_positions(); }
+  const Real* packed_velocities() const { return const_cast<State*>(this)->packed_velocities(); }
+
   Eigen::Matrix<Real, 3, 1> position(std::size_t i) const { return {x()[i], y()[i], z()[i]}; }
   Eigen::Matrix<Real, 3, 1> velocity(std::size_t i) const { return {vx()[i], vy()[i], vz()[i]}; }
   void set_position(std::size_t i, const Eigen::Matrix<Real, 3, 1>& value) {
     x()[i] = value.x();
     y()[i] = value.y();
     z()[i] = value.z();
+    pack(packed_positions_, i, value);
   }
   void set_velocity(std::size_t i, const Eigen::Matrix<Real, 3, 1>& value) {
     vx()[i] = value.x();
     vy()[i] = value.y();
     vz()[i] = value.z();
+    pack(packed_velocities_, i, value);
   }
 
-  std::size_t bytes() const { return values_.capacity() * sizeof(Real); }
+  std::size_t bytes() const {
+    return (values_.capacity() + packed_positions_.capacity() + packed_velocities_.capacity()) * sizeof(Real);
+  }
 
   double time = 0.0;
 
  private:
   Real* array(std::size_t which) { return values_.data() + which * stride_ + block_size; }
   const Real* array(std::size_t which) const { return values_.data() + which * stride_ + block_size; }
+
+  static std::size_t packed_size(std::size_t particles) {
+    return block_count(particles) * block_size * packed_width;
+  }
+
+  static void pack(AlignedVector<Real>& packed, std::size_t i, const Eigen::Matrix<Real, 3, 1>& value) {
+    if (packed.empty()) return;
+    std::copy(value.begin(), value.end(), packed.begin() + std::ptrdiff_t(i * packed_width));
+  }
 
   /// The bases of the six arrays differ by five cache lines modulo 4 KiB: with equal low address bits, loads
   /// from one array would falsely wait for stores to another.
@@ -73,7 +106,7 @@ class State {
   }
 
   std::size_t particles_, stride_;
-  AlignedVector<Real> values_;
+  AlignedVector<Real> values_, packed_positions_, packed_velocities_;
 };
 
 }  // namespace hooke

@@ -143,6 +143,17 @@ TEST_CASE("values that a float cannot hold are refused, with the remedy") {
   }
 }
 
+TEST_CASE("a pull that would overflow where two ends meet is refused") {
+  Scene scene = one_particle();
+  scene.add_particle(1.0, {1, 0, 0});
+  scene.add_spring(0, 1, 1e12, 1e6);
+  CHECK_THROWS_WITH_AS(Simulation<float>{scene},
+                       doctest::Contains("spring 0: stiffness times rest length is 1e+18 N"), SceneError);
+  scene.springs.rest_length[0] = 1e5;
+  scene.particles.position[1] = scene.particles.position[0];
+  CHECK(Simulation<float>(scene).step().ok());
+}
+
 TEST_CASE_TEMPLATE("a path that leads out of what Real can hold is refused", Real, float, double) {
   const double largest = double(std::numeric_limits<Real>::max());
   Scene far = one_particle(), fast = far;
@@ -175,7 +186,7 @@ TEST_CASE("a pinned particle is never the bad one, whatever pulls at it") {
   Scene scene;
   scene.add_particle(1.0, {0, 0, 0});
   scene.add_particle(1.0, {1, 0, 0}, {1e30, 0, 0});
-  scene.add_spring(0, 1, 1e30, 1.0);
+  scene.add_spring(0, 1, 1e30, 0.0);
   scene.pin(0);
   Simulation<float> simulation(scene, {.step = 1.0});
   const Report report = simulation.step(100);

@@ -1,23 +1,63 @@
-#include "effects/block_effect.h"
-#include "kernels/lanes.h"
+#include "effects/strip_effect.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "effects/drag.cpp"
+#include <hwy/foreach_target.h>
+
+#include "effects/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace hooke {
+namespace HWY_NAMESPACE {
 namespace {
 
 template <class Real>
-class DragForce final : public BlockEffect<Real> {
+HWY_INLINE void add(const Strip<Real>& strip, Real coefficient, StripForce<Real>& force) {
+  for_each_vector(strip, [&](auto d, std::size_t lane) HWY_ATTR {
+    const auto minus_c = hn::Set(d, -coefficient);
+    add_product(d, minus_c, hn::LoadU(d, strip.vx + lane), force.x + lane);
+    add_product(d, minus_c, hn::LoadU(d, strip.vy + lane), force.y + lane);
+    add_product(d, minus_c, hn::LoadU(d, strip.vz + lane), force.z + lane);
+  });
+}
+
+}  // namespace
+
+void drag_float(const Strip<float>& strip, float coefficient, StripForce<float>& force) {
+  add(strip, coefficient, force);
+}
+
+void drag_double(const Strip<double>& strip, double coefficient, StripForce<double>& force) {
+  add(strip, coefficient, force);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hooke {
+namespace {
+
+HWY_EXPORT(drag_float);
+HWY_EXPORT(drag_double);
+
+/// Subtracts c v for each lane.
+void add_drag(const Strip<float>& strip, float coefficient, StripForce<float>& force) {
+  HWY_DYNAMIC_DISPATCH(drag_float)(strip, coefficient, force);
+}
+
+void add_drag(const Strip<double>& strip, double coefficient, StripForce<double>& force) {
+  HWY_DYNAMIC_DISPATCH(drag_double)(strip, coefficient, force);
+}
+
+template <class Real>
+class DragForce final : public StripEffect<Real> {
  public:
   explicit DragForce(const Drag& drag) : c_(Real(drag.coefficient)) {}
 
-  void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
-    const Real c = c_;
-    const Real *vx = block.vx, *vy = block.vy, *vz = block.vz;
-    HOOKE_INDEPENDENT_LANES
-    for (std::size_t lane = 0; lane < block_size; ++lane) {
-      force.x[lane] -= c * vx[lane];
-      force.y[lane] -= c * vy[lane];
-      force.z[lane] -= c * vz[lane];
-    }
+  void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
+    add_drag(strip, c_, force);
   }
 
   Stage stage() const override { return {std::string(Drag::name), {}, {"velocity"}, {}, 0}; }
@@ -29,11 +69,12 @@ class DragForce final : public BlockEffect<Real> {
 }  // namespace
 
 template <class Real>
-BlockEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext&) {
+StripEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext&) {
   return std::make_unique<DragForce<Real>>(drag);
 }
 
-template BlockEffectPointer<float> compile_effect(const Drag&, const EffectContext&);
-template BlockEffectPointer<double> compile_effect(const Drag&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const Drag&, const EffectContext&);
+template StripEffectPointer<double> compile_effect(const Drag&, const EffectContext&);
 
 }  // namespace hooke
+#endif

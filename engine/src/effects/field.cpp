@@ -1,16 +1,16 @@
-#include "effects/block_effect.h"
+#include "effects/strip_effect.h"
 
 namespace hooke {
 namespace {
 
 template <class Real>
-class FieldForce final : public BlockEffect<Real> {
+class FieldForce final : public StripEffect<Real> {
  public:
   explicit FieldForce(const Field& field) : field_(field) {}
 
-  void add_force(const Block<Real>& block, double time, BlockForce<Real>& force) const override {
-    for (std::size_t lane = 0; lane < block.particles; ++lane) {
-      const Vec3 f = field_.force(Vec3(block.x[lane], block.y[lane], block.z[lane]), time);
+  void add_force(const Strip<Real>& strip, double time, StripForce<Real>& force) const override {
+    for (std::size_t lane = 0; lane < strip.particles; ++lane) {
+      const Vec3 f = field_.force(Vec3(strip.x[lane], strip.y[lane], strip.z[lane]), time);
       force.x[lane] += Real(f.x());
       force.y[lane] += Real(f.y());
       force.z[lane] += Real(f.z());
@@ -26,11 +26,11 @@ class FieldForce final : public BlockEffect<Real> {
 }  // namespace
 
 template <class Real>
-BlockEffectPointer<Real> compile_effect(const Field& field, const EffectContext&) {
+StripEffectPointer<Real> compile_effect(const Field& field, const EffectContext&) {
   return std::make_unique<FieldForce<Real>>(field);
 }
 
-template BlockEffectPointer<float> compile_effect(const Field&, const EffectContext&);
-template BlockEffectPointer<double> compile_effect(const Field&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const Field&, const EffectContext&);
+template StripEffectPointer<double> compile_effect(const Field&, const EffectContext&);
 
 }  // namespace hooke

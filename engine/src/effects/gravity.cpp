@@ -1,11 +1,59 @@
-#include "effects/block_effect.h"
-#include "kernels/lanes.h"
+#include "effects/strip_effect.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "effects/gravity.cpp"
+#include <hwy/foreach_target.h>
+
+#include "effects/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace hooke {
+namespace HWY_NAMESPACE {
 namespace {
 
 template <class Real>
-class GravityForce final : public BlockEffect<Real> {
+HWY_INLINE void add(const Strip<Real>& strip, const Real* mass, const Real* g, StripForce<Real>& force) {
+  for_each_vector(strip, [&](auto d, std::size_t lane) HWY_ATTR {
+    const auto m = hn::Load(d, mass + lane);
+    add_product(d, m, hn::Set(d, g[0]), force.x + lane);
+    add_product(d, m, hn::Set(d, g[1]), force.y + lane);
+    add_product(d, m, hn::Set(d, g[2]), force.z + lane);
+  });
+}
+
+}  // namespace
+
+void weight_float(const Strip<float>& strip, const float* mass, const float* g, StripForce<float>& force) {
+  add(strip, mass, g, force);
+}
+
+void weight_double(const Strip<double>& strip, const double* mass, const double* g,
+                   StripForce<double>& force) {
+  add(strip, mass, g, force);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hooke {
+namespace {
+
+HWY_EXPORT(weight_float);
+HWY_EXPORT(weight_double);
+
+/// Adds m g for each lane; `mass` is the strip's.
+void add_weight(const Strip<float>& strip, const float* mass, const float* g, StripForce<float>& force) {
+  HWY_DYNAMIC_DISPATCH(weight_float)(strip, mass, g, force);
+}
+
+void add_weight(const Strip<double>& strip, const double* mass, const double* g, StripForce<double>& force) {
+  HWY_DYNAMIC_DISPATCH(weight_double)(strip, mass, g, force);
+}
+
+template <class Real>
+class GravityForce final : public StripEffect<Real> {
  public:
   GravityForce(const Gravity& gravity, const EffectContext& context)
       : g_(gravity.acceleration.cast<Real>()),
@@ -17,22 +65,15 @@ class GravityForce final : public BlockEffect<Real> {
     for (const Pin& pin : context.scene.pins) mass_[context.order.engine(pin.particle)] = Real(0);
   }
 
-  void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
-    const Real* mass = mass_.data() + block.first;
-    const Real gx = g_.x(), gy = g_.y(), gz = g_.z();
-    HOOKE_INDEPENDENT_LANES
-    for (std::size_t lane = 0; lane < block_size; ++lane) {
-      force.x[lane] += mass[lane] * gx;
-      force.y[lane] += mass[lane] * gy;
-      force.z[lane] += mass[lane] * gz;
-    }
+  void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
+    add_weight(strip, mass_.data() + strip.first, g_.data(), force);
   }
 
-  double energy(const Block<Real>& block) const override {
+  double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
-    for (std::size_t lane = 0; lane < block.particles; ++lane) {
-      const Vec3 position(block.x[lane], block.y[lane], block.z[lane]);
-      sum -= double(mass_[block.first + lane]) * g_.template cast<double>().dot(position);
+    for (std::size_t lane = 0; lane < strip.particles; ++lane) {
+      const Vec3 position(strip.x[lane], strip.y[lane], strip.z[lane]);
+      sum -= double(mass_[strip.first + lane]) * g_.template cast<double>().dot(position);
     }
     return sum;
   }
@@ -49,11 +90,12 @@ class GravityForce final : public BlockEffect<Real> {
 }  // namespace
 
 template <class Real>
-BlockEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext& context) {
+StripEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext& context) {
   return std::make_unique<GravityForce<Real>>(gravity, context);
 }
 
-template BlockEffectPointer<float> compile_effect(const Gravity&, const EffectContext&);
-template BlockEffectPointer<double> compile_effect(const Gravity&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const Gravity&, const EffectContext&);
+template StripEffectPointer<double> compile_effect(const Gravity&, const EffectContext&);
 
 }  // namespace hooke
+#endif

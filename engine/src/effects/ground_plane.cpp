@@ -1,43 +1,101 @@
 #include <algorithm>
 
-#include "effects/block_effect.h"
-#include "kernels/lanes.h"
+#include "effects/strip_effect.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "effects/ground_plane.cpp"
+#include <hwy/foreach_target.h>
+
+#include "effects/lanes-inl.h"
+
+#ifndef HOOKE_PLANE
+#define HOOKE_PLANE
 namespace hooke {
+
+/// A plane in the precision of the run.
+template <class Real>
+struct Plane {
+  Real nx, ny, nz, height;  ///< unit normal, [m]
+  Real stiffness, damping;  ///< [N/m], [N s/m]
+};
+
+}  // namespace hooke
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace hooke {
+namespace HWY_NAMESPACE {
 namespace {
 
 template <class Real>
-class GroundPlaneForce final : public BlockEffect<Real> {
- public:
-  explicit GroundPlaneForce(const GroundPlane& plane)
-      : n_(plane.normal.stableNormalized().cast<Real>()),
-        height_(Real(plane.height)),
-        k_(Real(plane.stiffness)),
-        c_(Real(plane.damping)) {}
+HWY_INLINE void add(const Strip<Real>& strip, const Plane<Real>& plane, StripForce<Real>& force) {
+  for_each_vector(strip, [&](auto d, std::size_t lane) HWY_ATTR {
+    const auto nx = hn::Set(d, plane.nx), ny = hn::Set(d, plane.ny), nz = hn::Set(d, plane.nz);
+    const auto along_normal = [&](const Real* x, const Real* y, const Real* z) HWY_ATTR {
+      return hn::MulAdd(nx, hn::LoadU(d, x + lane),
+                        hn::MulAdd(ny, hn::LoadU(d, y + lane), hn::Mul(nz, hn::LoadU(d, z + lane))));
+    };
+    const auto depth = hn::Sub(hn::Set(d, plane.height), along_normal(strip.x, strip.y, strip.z));
+    const auto speed = along_normal(strip.vx, strip.vy, strip.vz);
+    const auto resistance =
+        hn::NegMulAdd(hn::Set(d, plane.damping), speed, hn::Mul(hn::Set(d, plane.stiffness), depth));
+    const auto zero = hn::Zero(d);
+    const auto pushes = hn::And(hn::Gt(depth, zero), hn::Gt(resistance, zero));
+    const auto push = hn::IfThenElseZero(pushes, resistance);
+    add_product(d, push, nx, force.x + lane);
+    add_product(d, push, ny, force.y + lane);
+    add_product(d, push, nz, force.z + lane);
+  });
+}
 
-  void add_force(const Block<Real>& block, double, BlockForce<Real>& force) const override {
-    const Real nx = n_.x(), ny = n_.y(), nz = n_.z(), height = height_, k = k_, c = c_;
-    const Real *x = block.x, *y = block.y, *z = block.z;
-    const Real *vx = block.vx, *vy = block.vy, *vz = block.vz;
-    HOOKE_INDEPENDENT_LANES
-    for (std::size_t lane = 0; lane < block_size; ++lane) {
-      const Real depth = height - (nx * x[lane] + ny * y[lane] + nz * z[lane]);
-      const Real speed = nx * vx[lane] + ny * vy[lane] + nz * vz[lane];
-      const Real resistance = k * depth - c * speed;
-      const Real outwards = resistance > Real(0) ? resistance : Real(0);
-      const Real push = depth > Real(0) ? outwards : Real(0);
-      force.x[lane] += push * nx;
-      force.y[lane] += push * ny;
-      force.z[lane] += push * nz;
-    }
+}  // namespace
+
+void push_float(const Strip<float>& strip, const Plane<float>& plane, StripForce<float>& force) {
+  add(strip, plane, force);
+}
+
+void push_double(const Strip<double>& strip, const Plane<double>& plane, StripForce<double>& force) {
+  add(strip, plane, force);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hooke {
+namespace {
+
+HWY_EXPORT(push_float);
+HWY_EXPORT(push_double);
+
+/// Pushes lanes that are below the plane outwards.
+void add_push(const Strip<float>& strip, const Plane<float>& plane, StripForce<float>& force) {
+  HWY_DYNAMIC_DISPATCH(push_float)(strip, plane, force);
+}
+
+void add_push(const Strip<double>& strip, const Plane<double>& plane, StripForce<double>& force) {
+  HWY_DYNAMIC_DISPATCH(push_double)(strip, plane, force);
+}
+
+template <class Real>
+class GroundPlaneForce final : public StripEffect<Real> {
+ public:
+  explicit GroundPlaneForce(const GroundPlane& plane) : n_(plane.normal.stableNormalized()) {
+    plane_ = {Real(n_.x()),       Real(n_.y()),          Real(n_.z()),
+              Real(plane.height), Real(plane.stiffness), Real(plane.damping)};
   }
 
-  double energy(const Block<Real>& block) const override {
+  void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
+    add_push(strip, plane_, force);
+  }
+
+  double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
-    for (std::size_t lane = 0; lane < block.particles; ++lane) {
-      const Vec3 position(block.x[lane], block.y[lane], block.z[lane]);
-      const double depth = std::max(double(height_) - n_.template cast<double>().dot(position), 0.0);
-      sum += 0.5 * double(k_) * depth * depth;
+    for (std::size_t lane = 0; lane < strip.particles; ++lane) {
+      const Vec3 position(strip.x[lane], strip.y[lane], strip.z[lane]);
+      const double depth = std::max(double(plane_.height) - n_.dot(position), 0.0);
+      sum += 0.5 * double(plane_.stiffness) * depth * depth;
     }
     return sum;
   }
@@ -47,18 +105,19 @@ class GroundPlaneForce final : public BlockEffect<Real> {
   }
 
  private:
-  Eigen::Matrix<Real, 3, 1> n_;
-  Real height_, k_, c_;  ///< [m], [N/m], [N s/m]
+  Vec3 n_;
+  Plane<Real> plane_;
 };
 
 }  // namespace
 
 template <class Real>
-BlockEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext&) {
+StripEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext&) {
   return std::make_unique<GroundPlaneForce<Real>>(plane);
 }
 
-template BlockEffectPointer<float> compile_effect(const GroundPlane&, const EffectContext&);
-template BlockEffectPointer<double> compile_effect(const GroundPlane&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const GroundPlane&, const EffectContext&);
+template StripEffectPointer<double> compile_effect(const GroundPlane&, const EffectContext&);
 
 }  // namespace hooke
+#endif

@@ -1,133 +1,195 @@
 #include "kernels/gather.h"
 
-#include <cmath>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/gather.cpp"
+#include <hwy/foreach_target.h>
 
-#include "kernels/lanes.h"
+#include "kernels/packed-inl.h"
+#include "kernels/spring-inl.h"
 
+HWY_BEFORE_NAMESPACE();
 namespace hooke {
+namespace HWY_NAMESPACE {
 namespace {
 
-/// The neighbours of a block's lanes, one array for each coordinate; pointers into the state for a shift
-/// slot, into `NeighbourCopy` for an indexed one.
-template <class Real>
-struct Neighbours {
-  const Real *x, *y, *z, *vx, *vy, *vz;
+/// Positions of some lanes of a block and, where springs are damped, their velocities.
+template <class V>
+struct Particles {
+  Vector3<V> position, velocity;
 };
 
-template <class Real>
-struct NeighbourCopy {
-  alignas(cache_line) Real x[block_size], y[block_size], z[block_size];
-  alignas(cache_line) Real vx[block_size], vy[block_size], vz[block_size];
+/// Gathers the forces on the lanes of one vector in a block.
+template <class Real, bool damped>
+class LaneGather {
+ public:
+  using D = hn::CappedTag<Real, block_size>;
+  using V = hn::Vec<D>;
 
-  template <bool damped>
-  Neighbours<Real> fill(const State<Real>& state, const Index* neighbours) {
-    for (std::size_t lane = 0; lane < block_size; ++lane) {
-      const Index n = neighbours[lane];
-      x[lane] = state.x()[n];
-      y[lane] = state.y()[n];
-      z[lane] = state.z()[n];
-      if constexpr (damped) {
-        vx[lane] = state.vx()[n];
-        vy[lane] = state.vy()[n];
-        vz[lane] = state.vz()[n];
-      }
+  LaneGather(const Slots<Real>& slots, const State<Real>& state)
+      : slots_(slots.slots.data()),
+        values_(slots.values.data()),
+        neighbours_(slots.neighbours.data()),
+        x_(state.x()),
+        y_(state.y()),
+        z_(state.z()),
+        vx_(state.vx()),
+        vy_(state.vy()),
+        vz_(state.vz()),
+        packed_positions_(state.packed_positions()),
+        packed_velocities_(state.packed_velocities()) {}
+
+  /// The force on the lanes from `lane` on of the block that starts at particle `first`.
+  HWY_INLINE Vector3<V> force(const typename Slots<Real>::List& list, std::size_t first,
+                              std::size_t lane) const {
+    const Particles<V> own = at(std::ptrdiff_t(first + lane));
+    Vector3<V> sum{hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
+    for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
+      const auto& slot = slots_[s];
+      add(own, at(std::ptrdiff_t(first + lane) + slot.shift), rows(slot, lane), sum);
     }
-    return {x, y, z, vx, vy, vz};
+    for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
+      const auto& slot = slots_[s];
+      const std::uint32_t* neighbours = neighbours_ + std::size_t(slot.neighbours) * block_size + lane;
+      add(own, at(neighbours), rows(slot, lane), sum);
+    }
+    return sum;
   }
+
+ private:
+  HWY_INLINE Particles<V> at(std::ptrdiff_t i) const {
+    Particles<V> particles;
+    particles.position = load3(D(), x_ + i, y_ + i, z_ + i);
+    if constexpr (damped) particles.velocity = load3(D(), vx_ + i, vy_ + i, vz_ + i);
+    return particles;
+  }
+
+  HWY_INLINE Particles<V> at(const std::uint32_t* neighbours) const {
+    Particles<V> particles;
+    particles.position = load_packed(D(), packed_positions_, neighbours);
+    if constexpr (damped) particles.velocity = load_packed(D(), packed_velocities_, neighbours);
+    return particles;
+  }
+
+  HWY_INLINE SpringRows<V> rows(const typename Slots<Real>::Slot& slot, std::size_t lane) const {
+    SpringRows<V> rows;
+    rows.stiffness = row(slot.stiffness, lane);
+    rows.half_pull = row(slot.half_pull, lane);
+    if constexpr (damped) rows.quarter_damping = row(slot.quarter_damping, lane);
+    return rows;
+  }
+
+  HWY_INLINE V row(std::uint32_t number, std::size_t lane) const {
+    return hn::Load(D(), values_ + std::size_t(number) * block_size + lane);
+  }
+
+  HWY_INLINE static void add(const Particles<V>& own, const Particles<V>& other, const SpringRows<V>& rows,
+                             Vector3<V>& sum) {
+    const Vector3<V> apart = own.position - other.position;
+    Vector3<V> velocity;
+    if constexpr (damped) velocity = own.velocity - other.velocity;
+    const V factor = spring_factor<damped>(D(), apart, velocity, rows);
+    sum.x = hn::NegMulAdd(factor, apart.x, sum.x);
+    sum.y = hn::NegMulAdd(factor, apart.y, sum.y);
+    sum.z = hn::NegMulAdd(factor, apart.z, sum.z);
+  }
+
+  const typename Slots<Real>::Slot* slots_;
+  const Real* values_;
+  const std::uint32_t* neighbours_;
+  const Real *x_, *y_, *z_, *vx_, *vy_, *vz_;
+  const Real *packed_positions_, *packed_velocities_;
 };
 
-template <class Real>
-Neighbours<Real> shifted(const State<Real>& state, std::ptrdiff_t first) {
-  return {state.x() + first,  state.y() + first,  state.z() + first,
-          state.vx() + first, state.vy() + first, state.vz() + first};
-}
-
-/// Adds one slot's forces.
-template <class Real, bool damped>
-void add_slot(const Block<Real>& own, const Neighbours<Real>& other, const Real* stiffness,
-              const Real* rest_length, const Real* damping, BlockForce<Real>& force) {
-  // Copies of the pointers: inside the loop they would be read again after each store.
-  const auto [ox, oy, oz, ovx, ovy, ovz] = other;
-  const Real *x = own.x, *y = own.y, *z = own.z, *vx = own.vx, *vy = own.vy, *vz = own.vz;
-  HOOKE_INDEPENDENT_LANES
-  for (std::size_t lane = 0; lane < block_size; ++lane) {
-    const Real dx = ox[lane] - x[lane], dy = oy[lane] - y[lane], dz = oz[lane] - z[lane];
-    Real dvx = 0, dvy = 0, dvz = 0, c = 0;
-    if constexpr (damped) {
-      dvx = ovx[lane] - vx[lane];
-      dvy = ovy[lane] - vy[lane];
-      dvz = ovz[lane] - vz[lane];
-      c = damping[lane];
+template <bool damped, class Real>
+void gather(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
+            StripForce<Real>& force) {
+  const LaneGather<Real, damped> lanes(slots, state);
+  const typename LaneGather<Real, damped>::D d;
+  const auto* lists = slots.lists.data();
+  const std::uint32_t* list_of_block = slots.list_of_block.data();
+  std::size_t out = 0;
+  for (std::size_t block = begin; block < end; ++block) {
+    for (std::size_t lane = 0; lane < block_size; lane += hn::Lanes(d), out += hn::Lanes(d)) {
+      const auto sum = lanes.force(lists[list_of_block[block]], block * block_size, lane);
+      hn::Store(sum.x, d, force.x + out);
+      hn::Store(sum.y, d, force.y + out);
+      hn::Store(sum.z, d, force.z + out);
     }
-    const Real factor =
-        spring_factor<Real, damped>(dx, dy, dz, dvx, dvy, dvz, stiffness[lane], rest_length[lane], c);
-    force.x[lane] += factor * dx;
-    force.y[lane] += factor * dy;
-    force.z[lane] += factor * dz;
   }
 }
 
-/// Calls visit(slot, neighbours) for each slot of a block, in the order in which forces are summed. The
-/// neighbours have velocities where `damped` is true.
-template <bool damped, class Real, class Visit>
-void for_each_slot(const Slots<Real>& slots, const State<Real>& state, std::size_t block,
-                   const Visit& visit) {
-  const auto first = std::ptrdiff_t(block * block_size);
-  for (std::uint32_t s = slots.first_shift[block]; s < slots.first_indexed[block]; ++s) {
-    visit(slots.slots[s], shifted(state, first + slots.slots[s].shift));
-  }
-  NeighbourCopy<Real> copy;
-  for (std::uint32_t s = slots.first_indexed[block]; s < slots.first_shift[block + 1]; ++s) {
-    const Index* neighbours = slots.neighbours.data() + std::size_t(slots.slots[s].neighbours) * block_size;
-    visit(slots.slots[s], copy.template fill<damped>(state, neighbours));
-  }
-}
-
-template <class Real, bool damped>
-void gather_block(const Slots<Real>& slots, const State<Real>& state, std::size_t block,
-                  BlockForce<Real>& force) {
-  const Block<Real> own(state, block);
-  BlockForce<Real> sum{};
-  for_each_slot<damped>(slots, state, block, [&](const auto& slot, const Neighbours<Real>& other) {
-    add_slot<Real, damped>(own, other, slots.row(slot.stiffness), slots.row(slot.rest_length),
-                           slots.row(slot.damping), sum);
-  });
-  force = sum;
+template <class Real>
+void gather_any(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
+                StripForce<Real>& force) {
+  slots.damped ? gather<true>(slots, state, begin, end, force)
+               : gather<false>(slots, state, begin, end, force);
 }
 
 }  // namespace
 
-template <class Real>
-void gather_springs(const Slots<Real>& slots, const State<Real>& state, std::size_t block,
-                    BlockForce<Real>& force) {
-  if (slots.damped) {
-    gather_block<Real, true>(slots, state, block, force);
-  } else {
-    gather_block<Real, false>(slots, state, block, force);
-  }
+void gather_float(const Slots<float>& slots, const State<float>& state, std::size_t begin, std::size_t end,
+                  StripForce<float>& force) {
+  gather_any(slots, state, begin, end, force);
+}
+
+void gather_double(const Slots<double>& slots, const State<double>& state, std::size_t begin, std::size_t end,
+                   StripForce<double>& force) {
+  gather_any(slots, state, begin, end, force);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <cmath>
+
+namespace hooke {
+namespace {
+
+HWY_EXPORT(gather_float);
+HWY_EXPORT(gather_double);
+
+}  // namespace
+
+template <>
+void gather_springs(const Slots<float>& slots, const State<float>& state, std::size_t begin, std::size_t end,
+                    StripForce<float>& force) {
+  HWY_DYNAMIC_DISPATCH(gather_float)(slots, state, begin, end, force);
+}
+
+template <>
+void gather_springs(const Slots<double>& slots, const State<double>& state, std::size_t begin,
+                    std::size_t end, StripForce<double>& force) {
+  HWY_DYNAMIC_DISPATCH(gather_double)(slots, state, begin, end, force);
 }
 
 template <class Real>
 SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& state, std::size_t block) {
-  const Block<Real> own(state, block);
+  const std::size_t first = block * block_size;
+  const auto& list = slots.list(block);
   SpringMeasure measure;
-  for_each_slot<false>(slots, state, block, [&](const auto& slot, const Neighbours<Real>& other) {
-    const Real *stiffness = slots.row(slot.stiffness), *rest_length = slots.row(slot.rest_length);
-    for (std::size_t lane = 0; lane < own.particles; ++lane) {
-      // A lane without a spring has no rest length, and adds nothing.
-      const double length =
-          std::hypot(double(other.x[lane]) - double(own.x[lane]), double(other.y[lane]) - double(own.y[lane]),
-                     double(other.z[lane]) - double(own.z[lane]));
-      measure.add_spring(length, double(stiffness[lane]), double(rest_length[lane]));
+  for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
+    const auto& slot = slots.slots[s];
+    for (std::size_t lane = 0; lane < block_size && first + lane < state.size(); ++lane) {
+      const double stiffness = double(slots.row(slot.stiffness)[lane]);
+      if (stiffness == 0.0) continue;
+      const std::size_t own = first + lane;
+      const std::size_t other = s < list.first_indexed
+                                    ? own + std::size_t(std::ptrdiff_t(slot.shift))
+                                    : slots.neighbour_row(slot.neighbours)[lane] / packed_width;
+      const double length = std::hypot(double(state.x()[other]) - double(state.x()[own]),
+                                       double(state.y()[other]) - double(state.y()[own]),
+                                       double(state.z()[other]) - double(state.z()[own]));
+      measure.add_spring(length, stiffness, 2.0 * double(slots.row(slot.half_pull)[lane]));
     }
-  });
+  }
   measure.energy *= 0.5;
   return measure;
 }
 
-template void gather_springs(const Slots<float>&, const State<float>&, std::size_t, BlockForce<float>&);
-template void gather_springs(const Slots<double>&, const State<double>&, std::size_t, BlockForce<double>&);
 template SpringMeasure measure_gathered(const Slots<float>&, const State<float>&, std::size_t);
 template SpringMeasure measure_gathered(const Slots<double>&, const State<double>&, std::size_t);
 
 }  // namespace hooke
+#endif

@@ -8,6 +8,19 @@
 namespace hooke {
 namespace {
 
+template <class Real, bool damped>
+inline Real spring_factor(Real dx, Real dy, Real dz, Real vx, Real vy, Real vz, Real stiffness,
+                          Real rest_length, Real damping) {
+  const Real length_squared = dx * dx + dy * dy + dz * dz;
+  const Real inverse = length_squared > Real(0) ? Real(1) / std::sqrt(length_squared) : Real(0);
+  Real factor = stiffness * (Real(1) - rest_length * inverse);
+  if constexpr (damped) {
+    const Real along = (vx * dx + vy * dy + vz * dz) * inverse;
+    factor += damping * along * inverse;
+  }
+  return factor;
+}
+
 template <class Real, Adds adds>
 void add(Real& sum, Real value) {
   if constexpr (adds == Adds::atomic) {
@@ -68,7 +81,8 @@ SpringMeasure measure_listed(const SpringList<Real>& list, std::size_t begin, st
     const double length =
         std::hypot(double(state.x()[b]) - double(state.x()[a]), double(state.y()[b]) - double(state.y()[a]),
                    double(state.z()[b]) - double(state.z()[a]));
-    measure.add_spring(length, double(list.stiffness[s]), double(list.rest_length[s]));
+    const double stiffness = double(list.stiffness[s]);
+    measure.add_spring(length, stiffness, stiffness * double(list.rest_length[s]));
   }
   return measure;
 }

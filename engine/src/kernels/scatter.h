@@ -1,10 +1,10 @@
 #pragma once
 
 #include "aligned.h"
-#include "block.h"
-#include "kernels/spring.h"
+#include "kernels/spring_measure.h"
 #include "model/colouring.h"
 #include "state.h"
+#include "strip.h"
 
 namespace hooke {
 
@@ -17,15 +17,17 @@ struct ForceArrays {
 
   std::size_t bytes() const { return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real); }
 
-  /// Hands the sums of one block over and leaves zeros for the next step.
-  void take(std::size_t block, BlockForce<Real>& force) {
-    const std::size_t first = block * block_size;
-    for (std::size_t lane = 0; lane < block_size; ++lane) {
-      force.x[lane] = x[first + lane];
-      force.y[lane] = y[first + lane];
-      force.z[lane] = z[first + lane];
-      x[first + lane] = y[first + lane] = z[first + lane] = Real(0);
-    }
+  /// Hands the sums of one strip over and leaves zeros for the next step.
+  void take(const Strip<Real>& strip, StripForce<Real>& force) {
+    take(x.data() + strip.first, strip.lanes, force.x);
+    take(y.data() + strip.first, strip.lanes, force.y);
+    take(z.data() + strip.first, strip.lanes, force.z);
+  }
+
+ private:
+  static void take(Real* sums, std::size_t lanes, Real* force) {
+    std::copy_n(sums, lanes, force);
+    std::fill_n(sums, lanes, Real(0));
   }
 };
 

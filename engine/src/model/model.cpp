@@ -28,6 +28,14 @@ typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const
   return std::monostate{};
 }
 
+/// The packed copies of the state that a layout is read with.
+template <class Real>
+Packed packed_for(const typename Model<Real>::SpringLayout& layout) {
+  const auto* slots = std::get_if<Slots<Real>>(&layout);
+  if (slots == nullptr || !slots->any_indexed()) return Packed::none;
+  return slots->damped ? Packed::positions_and_velocities : Packed::positions;
+}
+
 }  // namespace
 
 template <class Real>
@@ -43,7 +51,7 @@ Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& exec
 
 template <class Real>
 State<Real> initial_state(const Scene& scene, const Model<Real>& model) {
-  State<Real> state(model.particles());
+  State<Real> state(model.particles(), packed_for<Real>(model.spring_layout));
   for (std::size_t i = 0; i < model.particles(); ++i) {
     const Index e = model.order.engine(i);
     state.set_position(e, scene.particles.position[i].cast<Real>());

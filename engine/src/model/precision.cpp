@@ -40,6 +40,10 @@ void check_spring(const Springs& springs, std::size_t s, std::vector<Fault>& fau
                damping = springs.damping_of(s);
   if (!fits<Real>(stiffness)) faults.push_back(too_large("spring", s, "stiffness", stiffness, "N/m"));
   if (!fits<Real>(length)) faults.push_back(too_large("spring", s, "rest length", length, "m"));
+  // At a length of nearly zero the kernels multiply the pull by 1 / sqrt(smallest number).
+  const double largest_pull = 0.01 * std::sqrt(largest<Real>);
+  if (fits<Real>(stiffness) && fits<Real>(length) && !(stiffness * length <= largest_pull))
+    faults.push_back(too_large("spring", s, "stiffness times rest length", stiffness * length, "N"));
   if (!fits<Real>(damping)) faults.push_back(too_large("spring", s, "damping", damping, "N s/m"));
 }
 

@@ -24,13 +24,31 @@ struct HalfSpring {
   auto operator<=>(const HalfSpring&) const = default;
 };
 
-/// Rows of 16 values, equal ones stored once as far as a small table remembers them.
+/// Remembers where things with a hash were stored, the latest at each place of a small table.
+class HashTable {
+ public:
+  static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+  std::uint32_t& place(std::uint64_t hash) { return table_[(hash >> 40) % table_.size()]; }
+
+  static std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
+    return (hash ^ word) * 0x9E3779B97F4A7C15u;
+  }
+
+ private:
+  std::vector<std::uint32_t> table_ = std::vector<std::uint32_t>(4096, none);
+};
+
+/// Rows of 16 values, equal ones stored once as far as the table remembers them.
 template <class Real>
 class RowStore {
  public:
   std::uint32_t row(const std::array<Real, block_size>& lanes) {
-    std::uint32_t& known = table_[hash(lanes) % table_.size()];
-    if (known != none && std::equal(lanes.begin(), lanes.end(), &values[std::size_t(known) * block_size])) {
+    std::uint64_t hash = 0;
+    for (Real lane : lanes) hash = HashTable::mix(hash, std::hash<Real>{}(lane));
+    std::uint32_t& known = table_.place(hash);
+    if (known != HashTable::none &&
+        std::equal(lanes.begin(), lanes.end(), &values[std::size_t(known) * block_size])) {
       return known;
     }
     known = std::uint32_t(values.size() / block_size);
@@ -41,15 +59,53 @@ class RowStore {
   std::vector<Real> values;
 
  private:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
+  HashTable table_;
+};
 
-  static std::size_t hash(const std::array<Real, block_size>& lanes) {
-    std::uint64_t h = 0;
-    for (Real lane : lanes) h = (h ^ std::hash<Real>{}(lane)) * 0x9E3779B97F4A7C15u;
-    return h >> 40;
+/// Lists of slots, equal ones stored once as far as the table remembers them.
+template <class Real>
+class ListStore {
+ public:
+  using Slot = typename Slots<Real>::Slot;
+  using List = typename Slots<Real>::List;
+
+  /// The number of the list that the slots from `first_shift` on make; they are dropped if it is known.
+  std::uint32_t list(std::uint32_t first_shift, std::uint32_t first_indexed) {
+    const List made{first_shift, first_indexed, std::uint32_t(slots.size())};
+    std::uint32_t& known = table_.place(hash(made));
+    if (known != HashTable::none && equal(lists[known], made)) {
+      slots.resize(first_shift);
+      return known;
+    }
+    known = std::uint32_t(lists.size());
+    lists.push_back(made);
+    return known;
   }
 
-  std::vector<std::uint32_t> table_ = std::vector<std::uint32_t>(4096, none);
+  std::vector<Slot> slots;
+  std::vector<List> lists;
+
+ private:
+  static std::array<std::uint32_t, 4> words(const Slot& slot) {
+    return {slot.neighbours, slot.stiffness, slot.half_pull, slot.quarter_damping};
+  }
+
+  std::uint64_t hash(const List& list) const {
+    std::uint64_t hash = list.first_indexed - list.first_shift;
+    for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
+      for (std::uint32_t word : words(slots[s])) hash = HashTable::mix(hash, word);
+    }
+    return hash;
+  }
+
+  bool equal(const List& a, const List& b) const {
+    return a.end - a.first_shift == b.end - b.first_shift &&
+           a.first_indexed - a.first_shift == b.first_indexed - b.first_shift &&
+           std::equal(slots.begin() + a.first_shift, slots.begin() + a.end, slots.begin() + b.first_shift,
+                      [](const Slot& left, const Slot& right) { return words(left) == words(right); });
+  }
+
+  HashTable table_;
 };
 
 /// Makes the slots of a run of blocks, with rows numbered from zero.
@@ -61,7 +117,7 @@ class SlotMaker {
 
   void add_block(std::size_t block) {
     collect(block);
-    first_shift.push_back(std::uint32_t(slots.size()));
+    const auto first_shift = std::uint32_t(lists.slots.size());
     rest_.clear();
     for (auto begin = halves_.begin(); begin != halves_.end();) {
       const auto end =
@@ -69,13 +125,14 @@ class SlotMaker {
       add_shift(begin, end);
       begin = end;
     }
-    first_indexed.push_back(std::uint32_t(slots.size()));
+    const auto first_indexed = std::uint32_t(lists.slots.size());
     add_indexed(block);
+    list_of_block.push_back(lists.list(first_shift, first_indexed));
   }
 
-  std::vector<std::uint32_t> first_shift, first_indexed;
-  std::vector<typename Slots<Real>::Slot> slots;
-  std::vector<Index> neighbours;
+  std::vector<std::uint32_t> list_of_block;
+  ListStore<Real> lists;
+  std::vector<std::uint32_t> neighbours;
   RowStore<Real> rows;
 
  private:
@@ -147,24 +204,25 @@ class SlotMaker {
           neighbour += half.shift;
           lanes[lane] = half.spring;
         }
-        neighbours.push_back(Index(neighbour));
+        neighbours.push_back(std::uint32_t(neighbour) * packed_width);
       }
       add_slot(slot, lanes);
     }
   }
 
   void add_slot(typename Slots<Real>::Slot slot, const Lanes& lanes) {
-    std::array<Real, block_size> stiffness{}, rest_length{}, damping{};
+    std::array<Real, block_size> stiffness{}, half_pull{}, quarter_damping{};
     for (std::size_t lane = 0; lane < block_size; ++lane) {
-      if (lanes[lane] == no_spring) continue;
-      stiffness[lane] = Real(springs_.stiffness[lanes[lane]]);
-      rest_length[lane] = Real(springs_.rest_length[lanes[lane]]);
-      damping[lane] = Real(springs_.damping_of(lanes[lane]));
+      const Index spring = lanes[lane];
+      if (spring == no_spring) continue;
+      stiffness[lane] = Real(springs_.stiffness[spring]);
+      half_pull[lane] = Real(springs_.stiffness[spring] * springs_.rest_length[spring] / 2);
+      quarter_damping[lane] = Real(springs_.damping_of(spring) / 4);
     }
     slot.stiffness = rows.row(stiffness);
-    slot.rest_length = rows.row(rest_length);
-    slot.damping = springs_.damping.empty() ? 0 : rows.row(damping);
-    slots.push_back(slot);
+    slot.half_pull = rows.row(half_pull);
+    slot.quarter_damping = springs_.damping.empty() ? 0 : rows.row(quarter_damping);
+    lists.slots.push_back(slot);
   }
 
   const Springs& springs_;
@@ -173,39 +231,42 @@ class SlotMaker {
   std::vector<HalfSpring> halves_, rest_, again_, repeated_;
 };
 
-/// Appends what was made of one run of blocks to the whole, with its rows and slots numbered on.
+/// Appends what was made of one run of blocks to the whole, with its rows, slots and lists numbered on.
 template <class Real>
-void append(Slots<Real>& whole, SlotMaker<Real>& run) {
+void append(Slots<Real>& whole, const SlotMaker<Real>& run) {
   const auto first_slot = std::uint32_t(whole.slots.size());
+  const auto first_list = std::uint32_t(whole.lists.size());
   const auto first_row = std::uint32_t(whole.values.size() / block_size);
   const auto first_neighbours = std::uint32_t(whole.neighbours.size() / block_size);
-  for (std::size_t b = 0; b < run.first_shift.size(); ++b) {
-    whole.first_shift.push_back(first_slot + run.first_shift[b]);
-    whole.first_indexed.push_back(first_slot + run.first_indexed[b]);
-    const std::size_t end = b + 1 < run.first_shift.size() ? run.first_shift[b + 1] : run.slots.size();
-    for (std::size_t s = run.first_indexed[b]; s < end; ++s) run.slots[s].neighbours += first_neighbours;
-  }
-  for (auto slot : run.slots) {
+  for (auto slot : run.lists.slots) {
     slot.stiffness += first_row;
-    slot.rest_length += first_row;
-    slot.damping += first_row;
+    slot.half_pull += first_row;
+    slot.quarter_damping += first_row;
     whole.slots.push_back(slot);
   }
+  for (const auto& list : run.lists.lists) {
+    whole.lists.push_back(
+        {first_slot + list.first_shift, first_slot + list.first_indexed, first_slot + list.end});
+    for (std::uint32_t s = whole.lists.back().first_indexed; s < whole.lists.back().end; ++s)
+      whole.slots[s].neighbours += first_neighbours;
+  }
+  for (std::uint32_t list : run.list_of_block) whole.list_of_block.push_back(first_list + list);
   whole.neighbours.insert(whole.neighbours.end(), run.neighbours.begin(), run.neighbours.end());
   whole.values.insert(whole.values.end(), run.rows.values.begin(), run.rows.values.end());
 }
 
 template <class Real>
 void reserve(Slots<Real>& whole, const std::vector<SlotMaker<Real>>& runs) {
-  std::size_t blocks = 0, slots = 0, neighbours = 0, values = 0;
+  std::size_t blocks = 0, lists = 0, slots = 0, neighbours = 0, values = 0;
   for (const SlotMaker<Real>& run : runs) {
-    blocks += run.first_shift.size();
-    slots += run.slots.size();
+    blocks += run.list_of_block.size();
+    lists += run.lists.lists.size();
+    slots += run.lists.slots.size();
     neighbours += run.neighbours.size();
     values += run.rows.values.size();
   }
-  whole.first_shift.reserve(blocks + 1);
-  whole.first_indexed.reserve(blocks);
+  whole.list_of_block.reserve(blocks);
+  whole.lists.reserve(lists);
   whole.slots.reserve(slots);
   whole.neighbours.reserve(neighbours);
   whole.values.reserve(values);
@@ -230,23 +291,30 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
   Slots<Real> slots;
   slots.damped = !springs.damping.empty();
   reserve(slots, runs);
-  for (SlotMaker<Real>& run : runs) append(slots, run);
-  slots.first_shift.push_back(std::uint32_t(slots.slots.size()));
+  for (const SlotMaker<Real>& run : runs) append(slots, run);
   return slots;
 }
 
 template <class Real>
-std::size_t Slots<Real>::shift_slots() const {
-  return slots.size() - neighbours.size() / block_size;
+std::size_t Slots<Real>::bytes() const {
+  return (list_of_block.capacity() + neighbours.capacity()) * sizeof(std::uint32_t) +
+         lists.capacity() * sizeof(List) + slots.capacity() * sizeof(Slot) + values.capacity() * sizeof(Real);
 }
 
 template <class Real>
-std::size_t Slots<Real>::bytes() const {
-  return (first_shift.capacity() + first_indexed.capacity()) * sizeof(std::uint32_t) +
-         slots.capacity() * sizeof(Slot) + neighbours.capacity() * sizeof(Index) +
-         values.capacity() * sizeof(Real);
+SlotCount count_slots(const Slots<Real>& slots, std::size_t springs) {
+  SlotCount count;
+  for (std::uint32_t number : slots.list_of_block) {
+    const auto& list = slots.lists[number];
+    count.slots += list.end - list.first_shift;
+    count.shift_slots += list.first_indexed - list.first_shift;
+  }
+  count.empty_lanes = count.slots * block_size - 2 * springs;
+  return count;
 }
 
+template SlotCount count_slots(const Slots<float>&, std::size_t);
+template SlotCount count_slots(const Slots<double>&, std::size_t);
 template struct Slots<float>;
 template struct Slots<double>;
 template Slots<float> make_slots(const Springs&, const Adjacency&, const Order&, Executor&);

@@ -18,11 +18,11 @@ namespace hooke {
 ///
 /// - A shift slot joins particle i to i + shift in every lane: plain vector loads. On a grid all slots are of
 /// this kind.
-/// - An indexed slot has 16 neighbour numbers.
-/// A lane without a spring has stiffness and damping zero; in an indexed slot its neighbour is itself.
+/// - An indexed slot has 16 neighbours; it is read from the packed positions of the state.
+/// A lane without a spring has coefficients zero; in an indexed slot its neighbour is itself.
 ///
-/// Stiffness, rest length and damping are rows of 16 values. Equal rows are stored once, so a cloth of few
-/// kinds of springs needs hardly more than 16 bytes for a slot.
+/// The coefficients of the springs are rows of 16 values. Equal rows are stored once, and so are equal lists:
+/// a cloth of few kinds of springs needs hardly more than 4 bytes for a block.
 template <class Real>
 struct Slots {
   struct Slot {
@@ -30,21 +30,45 @@ struct Slots {
       std::int32_t shift;        ///< of a shift slot
       std::uint32_t neighbours;  ///< of an indexed slot: its row in `neighbours`
     };
-    std::uint32_t stiffness, rest_length, damping;  ///< rows in `values`
+    std::uint32_t stiffness, half_pull, quarter_damping;  ///< rows in `values`
   };
 
-  /// The slots of block b: shift slots from first_shift[b], then indexed slots from first_indexed[b] to
-  /// first_shift[b + 1].
-  std::vector<std::uint32_t> first_shift, first_indexed;
+  /// Shift slots [first_shift, first_indexed), then indexed slots up to `end`.
+  struct List {
+    std::uint32_t first_shift, first_indexed, end;
+  };
+
+  std::vector<std::uint32_t> list_of_block;
+  std::vector<List> lists;
   std::vector<Slot> slots;
-  std::vector<Index> neighbours;  ///< rows of 16, in the engine's order
-  AlignedVector<Real> values;     ///< rows of 16: [N/m], [m], [N s/m]
+  /// Rows of 16: where the neighbour's vector begins in the packed arrays, packed_width times its number.
+  AlignedVector<std::uint32_t> neighbours;
+  /// Rows of 16: stiffness [N/m], half of stiffness times rest length [N], a quarter of damping [N s/m], as
+  /// kernels/spring-inl.h wants them.
+  AlignedVector<Real> values;
   bool damped = false;
 
+  const List& list(std::size_t block) const { return lists[list_of_block[block]]; }
   const Real* row(std::uint32_t number) const { return values.data() + std::size_t(number) * block_size; }
-  std::size_t shift_slots() const;
+  const std::uint32_t* neighbour_row(std::uint32_t number) const {
+    return neighbours.data() + std::size_t(number) * block_size;
+  }
+  bool any_indexed() const { return !neighbours.empty(); }
   std::size_t bytes() const;
 };
+
+/// What is in the slots: for showing, and for judging an order.
+struct SlotCount {
+  std::size_t slots = 0;        ///< of all blocks
+  std::size_t shift_slots = 0;  ///< of them
+  std::size_t empty_lanes = 0;  ///< without a spring, of 16 in each slot
+
+  double shift_share() const { return slots == 0 ? 0.0 : double(shift_slots) / double(slots); }
+  double empty_share() const { return slots == 0 ? 0.0 : double(empty_lanes) / double(slots * block_size); }
+};
+
+template <class Real>
+SlotCount count_slots(const Slots<Real>& slots, std::size_t springs);
 
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,

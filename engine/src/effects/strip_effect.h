@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+
+#include <hooke/effects.h>
+#include <hooke/report.h>
+#include <hooke/scene.h>
+
+#include "model/order.h"
+#include "strip.h"
+
+namespace hooke {
+
+/// An effect on one particle at a time, compiled for a scene. It runs on each strip of blocks inside the
+/// fused sweep: one call for a strip, no branch for a particle. A new effect is a struct in effects.h and a
+/// file here.
+template <class Real>
+class StripEffect {
+ public:
+  virtual ~StripEffect() = default;
+
+  /// Adds its force [N] at `time` [s] to the strip's.
+  virtual void add_force(const Strip<Real>& strip, double time, StripForce<Real>& force) const = 0;
+
+  /// Potential energy [J] of the strip's particles; 0 for an effect that has none.
+  virtual double energy(const Strip<Real>&) const { return 0.0; }
+
+  /// Its name, what it reads and the bytes it holds; it always writes forces.
+  virtual Stage stage() const = 0;
+};
+
+template <class Real>
+using StripEffectPointer = std::unique_ptr<StripEffect<Real>>;
+
+/// What the compilation of an effect may look at.
+struct EffectContext {
+  const Scene& scene;
+  const Order& order;
+};
+
+template <class Real>
+StripEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext& context);
+template <class Real>
+StripEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext& context);
+template <class Real>
+StripEffectPointer<Real> compile_effect(const Field& field, const EffectContext& context);
+template <class Real>
+StripEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext& context);
+
+}  // namespace hooke
