@@ -38,21 +38,31 @@ class LaneGather {
         packed_positions_(state.packed_positions()),
         packed_velocities_(state.packed_velocities()) {}
 
-  /// The force on the lanes from `lane` on of the block that starts at particle `first`.
-  HWY_INLINE Vector3<V> force(const typename Slots<Real>::List& list, std::size_t first,
-                              std::size_t lane) const {
-    const Particles<V> own = at(std::ptrdiff_t(first + lane));
-    Vector3<V> sum{hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
+  /// Forces on `vectors` vectors of lanes, the first from particle `first` on, each `apart` further on than the
+  /// one before; all have the list of slots `list`. The first is at lane `lane` of its block.
+  template <std::size_t vectors>
+  HWY_INLINE void force(const typename Slots<Real>::List& list, std::size_t first, std::size_t lane,
+                        Vector3<V>* HWY_RESTRICT out) const {
+    Particles<V> own[vectors];
+    Vector3<V> sum[vectors];
+    for (std::size_t v = 0; v < vectors; ++v) {
+      own[v] = at(std::ptrdiff_t(first + v * block_size));
+      sum[v] = {hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
+    }
     for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
       const auto& slot = slots_[s];
-      add(own, at(std::ptrdiff_t(first + lane) + slot.shift), rows(slot, lane), sum);
+      const SpringRows<V> springs = rows(slot, lane);
+      for (std::size_t v = 0; v < vectors; ++v)
+        sum[v] = add(own[v], at(std::ptrdiff_t(first + v * block_size) + slot.shift), springs, sum[v]);
     }
-    for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
-      const auto& slot = slots_[s];
-      const std::uint32_t* neighbours = neighbours_ + std::size_t(slot.neighbours) * block_size + lane;
-      add(own, at(neighbours), rows(slot, lane), sum);
+    if constexpr (vectors == 1) {
+      for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
+        const auto& slot = slots_[s];
+        const std::uint32_t* neighbours = neighbours_ + std::size_t(slot.neighbours) * block_size + lane;
+        sum[0] = add(own[0], at(neighbours), rows(slot, lane), sum[0]);
+      }
     }
-    return sum;
+    for (std::size_t v = 0; v < vectors; ++v) out[v] = sum[v];
   }
 
  private:
@@ -82,15 +92,14 @@ class LaneGather {
     return hn::Load(D(), values_ + std::size_t(number) * block_size + lane);
   }
 
-  HWY_INLINE static void add(const Particles<V>& own, const Particles<V>& other, const SpringRows<V>& rows,
-                             Vector3<V>& sum) {
+  HWY_INLINE static Vector3<V> add(const Particles<V>& own, const Particles<V>& other,
+                                   const SpringRows<V>& rows, const Vector3<V>& sum) {
     const Vector3<V> apart = own.position - other.position;
     Vector3<V> velocity;
     if constexpr (damped) velocity = own.velocity - other.velocity;
     const V factor = spring_factor<damped>(D(), apart, velocity, rows);
-    sum.x = hn::NegMulAdd(factor, apart.x, sum.x);
-    sum.y = hn::NegMulAdd(factor, apart.y, sum.y);
-    sum.z = hn::NegMulAdd(factor, apart.z, sum.z);
+    return {hn::NegMulAdd(factor, apart.x, sum.x), hn::NegMulAdd(factor, apart.y, sum.y),
+            hn::NegMulAdd(factor, apart.z, sum.z)};
   }
 
   const typename Slots<Real>::Slot* slots_;
@@ -104,17 +113,33 @@ template <bool damped, class Real>
 void gather(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
             StripForce<Real>& force) {
   const LaneGather<Real, damped> lanes(slots, state);
-  const typename LaneGather<Real, damped>::D d;
+  using D = typename LaneGather<Real, damped>::D;
+  const D d;
   const auto* lists = slots.lists.data();
   const std::uint32_t* list_of_block = slots.list_of_block.data();
-  std::size_t out = 0;
-  for (std::size_t block = begin; block < end; ++block) {
-    for (std::size_t lane = 0; lane < block_size; lane += hn::Lanes(d), out += hn::Lanes(d)) {
-      const auto sum = lanes.force(lists[list_of_block[block]], block * block_size, lane);
-      hn::Store(sum.x, d, force.x + out);
-      hn::Store(sum.y, d, force.y + out);
-      hn::Store(sum.z, d, force.z + out);
+  using V = typename LaneGather<Real, damped>::V;
+  const auto store = [&](const Vector3<V>& sum, std::size_t out) HWY_ATTR {
+    hn::Store(sum.x, d, force.x + out);
+    hn::Store(sum.y, d, force.y + out);
+    hn::Store(sum.z, d, force.z + out);
+  };
+  for (std::size_t block = begin; block < end;) {
+    const auto& list = lists[list_of_block[block]];
+    const std::size_t out = (block - begin) * block_size;
+    if (hn::MaxLanes(D()) == block_size && block + 1 < end && list_of_block[block + 1] == list_of_block[block] && list.first_indexed == list.end) {
+      Vector3<V> sums[2];
+      lanes.template force<2>(list, block * block_size, 0, sums);
+      store(sums[0], out);
+      store(sums[1], out + block_size);
+      block += 2;
+      continue;
     }
+    for (std::size_t lane = 0; lane < block_size; lane += hn::Lanes(d)) {
+      Vector3<V> sum[1];
+      lanes.template force<1>(list, block * block_size + lane, lane, sum);
+      store(sum[0], out + lane);
+    }
+    ++block;
   }
 }
 

@@ -40,33 +40,38 @@ HWY_INLINE Vector3<hn::Vec<D>> load3(D d, const hn::TFromD<D>* x, const hn::TFro
   return {hn::LoadU(d, x), hn::LoadU(d, y), hn::LoadU(d, z)};
 }
 
-/// One Newton step for 2 / sqrt(a), from an estimate y of 1 / sqrt(a) with relative error e: the result's is
-/// -1.5 e^2.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V newton_twice(D d, V a, V y) {
-  return hn::Mul(y, hn::NegMulAdd(hn::Mul(a, y), y, hn::Set(d, hn::TFromD<D>(3))));
-}
-
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
-HWY_INLINE hn::Vec512<double> rsqrt14(hn::Vec512<double> a) {
+HWY_INLINE hn::Vec512<double> estimate_reciprocal_root(hn::Vec512<double> a) {
   return hn::Vec512<double>{_mm512_rsqrt14_pd(a.raw)};
 }
 #endif
 
-/// 2 / sqrt(a) for a > 0. Relative error, measured by tests/engine: in float at most 2.4e-7 (from an estimate
-/// of 12 bits) and 1.2e-7 with AVX-512 (14 bits); in double at most 4.5e-16.
+/// 2 / sqrt(a) for a > 0 as a product of two factors, as callers fuse the product with what they do next.
+/// Relative error (tests/engine/reciprocal_root_test.cpp): in float at most 3e-7, from an estimate of 12 bits,
+/// and with AVX-512, which gives 14, 2e-7; in double at most 6e-16.
+template <class V>
+struct TwiceReciprocalRoot {
+  V estimate, correction;
+};
+
+/// One Newton step from an estimate y of 1 / sqrt(a) with relative error e: the result's is -1.5 e^2.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V twice_reciprocal_root(D d, V a) {
+HWY_INLINE TwiceReciprocalRoot<V> newton(D d, V a, V y) {
+  return {y, hn::NegMulAdd(hn::Mul(a, y), y, hn::Set(d, hn::TFromD<D>(3)))};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE TwiceReciprocalRoot<V> twice_reciprocal_root(D d, V a) {
   using Real = hn::TFromD<D>;
   if constexpr (sizeof(Real) == sizeof(float)) {
-    return newton_twice(d, a, hn::ApproximateReciprocalSqrt(a));
+    return newton(d, a, hn::ApproximateReciprocalSqrt(a));
   } else {
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
-    // Newton's steps from the 14 bits of AVX-512's estimate: three times as fast there as root and division.
-    const V estimate = rsqrt14(a);
-    return newton_twice(d, a, hn::Mul(hn::Set(d, Real(0.5)), newton_twice(d, a, estimate)));
+    // Two of Newton's steps take a third of the time of a root and a division there.
+    const TwiceReciprocalRoot<V> first = newton(d, a, estimate_reciprocal_root(a));
+    return newton(d, a, hn::Mul(hn::Mul(hn::Set(d, Real(0.5)), first.estimate), first.correction));
 #else
-    return hn::Div(hn::Set(d, Real(2)), hn::Sqrt(a));
+    return {hn::Div(hn::Set(d, Real(1)), hn::Sqrt(a)), hn::Set(d, Real(2))};
 #endif
   }
 }
@@ -94,9 +99,10 @@ HWY_INLINE V spring_factor(D d, const Vector3<V>& apart, const Vector3<V>& veloc
   const V tiny = hn::Set(d, std::numeric_limits<hn::TFromD<D>>::min());
   const V square =
       hn::MulAdd(apart.x, apart.x, hn::MulAdd(apart.y, apart.y, hn::MulAdd(apart.z, apart.z, tiny)));
-  const V twice_inverse = twice_reciprocal_root(d, square);
-  const V factor = hn::NegMulAdd(rows.half_pull, twice_inverse, rows.stiffness);
-  if (!damped) return factor;
+  const TwiceReciprocalRoot<V> root = twice_reciprocal_root(d, square);
+  const V factor = hn::NegMulAdd(hn::Mul(rows.half_pull, root.estimate), root.correction, rows.stiffness);
+  if constexpr (!damped) return factor;
+  const V twice_inverse = hn::Mul(root.estimate, root.correction);
   const V along = hn::Mul(dot(velocity, apart), twice_inverse);
   return hn::MulAdd(hn::Mul(rows.quarter_damping, along), twice_inverse, factor);
 }
