@@ -41,7 +41,7 @@ Count half_springs(const Slots<double>& slots) {
                                     : slots.neighbour_row(slot.neighbours)[lane] / packed_width;
         const double damping = slots.damped ? 4.0 * slots.row(slot.quarter_damping)[lane] : 0.0;
         const double stiffness = slots.row(slot.stiffness)[lane];
-        if (stiffness == 0.0 && damping == 0.0) continue;
+        if (neighbour == particle || (stiffness == 0.0 && damping == 0.0)) continue;
         ++count[{particle, neighbour, stiffness, 2.0 * slots.row(slot.half_pull)[lane], damping}];
       }
     }

@@ -38,8 +38,8 @@ class LaneGather {
         packed_positions_(state.packed_positions()),
         packed_velocities_(state.packed_velocities()) {}
 
-  /// Forces on `vectors` vectors of lanes, the first from particle `first` on, each `apart` further on than the
-  /// one before; all have the list of slots `list`. The first is at lane `lane` of its block.
+  /// Forces on `vectors` vectors of lanes, the first from particle `first` on, each `apart` further on than
+  /// the one before; all have the list of slots `list`. The first is at lane `lane` of its block.
   template <std::size_t vectors>
   HWY_INLINE void force(const typename Slots<Real>::List& list, std::size_t first, std::size_t lane,
                         Vector3<V>* HWY_RESTRICT out) const {
@@ -126,7 +126,8 @@ void gather(const Slots<Real>& slots, const State<Real>& state, std::size_t begi
   for (std::size_t block = begin; block < end;) {
     const auto& list = lists[list_of_block[block]];
     const std::size_t out = (block - begin) * block_size;
-    if (hn::MaxLanes(D()) == block_size && block + 1 < end && list_of_block[block + 1] == list_of_block[block] && list.first_indexed == list.end) {
+    if (hn::MaxLanes(D()) == block_size && block + 1 < end &&
+        list_of_block[block + 1] == list_of_block[block] && list.first_indexed == list.end) {
       Vector3<V> sums[2];
       lanes.template force<2>(list, block * block_size, 0, sums);
       store(sums[0], out);
@@ -197,12 +198,12 @@ SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& stat
   for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
     const auto& slot = slots.slots[s];
     for (std::size_t lane = 0; lane < block_size && first + lane < state.size(); ++lane) {
-      const double stiffness = double(slots.row(slot.stiffness)[lane]);
-      if (stiffness == 0.0) continue;
       const std::size_t own = first + lane;
       const std::size_t other = s < list.first_indexed
                                     ? own + std::size_t(std::ptrdiff_t(slot.shift))
                                     : slots.neighbour_row(slot.neighbours)[lane] / packed_width;
+      const double stiffness = double(slots.row(slot.stiffness)[lane]);
+      if (stiffness == 0.0 || other == own) continue;
       const double length = std::hypot(double(state.x()[other]) - double(state.x()[own]),
                                        double(state.y()[other]) - double(state.y()[own]),
                                        double(state.z()[other]) - double(state.z()[own]));

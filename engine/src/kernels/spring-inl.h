@@ -47,8 +47,8 @@ HWY_INLINE hn::Vec512<double> estimate_reciprocal_root(hn::Vec512<double> a) {
 #endif
 
 /// 2 / sqrt(a) for a > 0 as a product of two factors, as callers fuse the product with what they do next.
-/// Relative error (tests/engine/reciprocal_root_test.cpp): in float at most 3e-7, from an estimate of 12 bits,
-/// and with AVX-512, which gives 14, 2e-7; in double at most 6e-16.
+/// Relative error (tests/engine/reciprocal_root_test.cpp): in float at most 3e-7, from an estimate of 12
+/// bits, and with AVX-512, which gives 14, 2e-7; in double at most 6e-16.
 template <class V>
 struct TwiceReciprocalRoot {
   V estimate, correction;

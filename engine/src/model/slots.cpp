@@ -12,8 +12,12 @@ using Lanes = std::array<Index, block_size>;
 constexpr Index no_spring = ~Index{0};
 
 /// Fewer lanes than this with one shift go into indexed slots, where they share a slot with others: an
-/// indexed slot costs about three times a shift slot, but leaves few lanes empty.
-constexpr std::size_t least_shift_lanes = 6;
+/// indexed slot costs about twice a shift slot, but leaves few lanes empty.
+constexpr std::size_t least_shift_lanes = 10;
+
+/// Where no more lanes than this stay empty with shift slots alone, indexed slots are not worth their packed
+/// copies of the state.
+constexpr double most_empty_lanes = 0.25;
 
 /// One end of a spring at a lane of the block being made.
 struct HalfSpring {
@@ -112,8 +116,12 @@ class ListStore {
 template <class Real>
 class SlotMaker {
  public:
-  SlotMaker(const Springs& springs, const Adjacency& adjacency, const Order& order)
-      : springs_(springs), adjacency_(adjacency), order_(order) {}
+  /// With `only_shifts` every spring gets into a shift slot, however few lanes it fills.
+  SlotMaker(const Springs& springs, const Adjacency& adjacency, const Order& order, bool only_shifts)
+      : springs_(springs),
+        adjacency_(adjacency),
+        order_(order),
+        least_lanes_(only_shifts ? 1 : least_shift_lanes) {}
 
   void add_block(std::size_t block) {
     collect(block);
@@ -169,7 +177,7 @@ class SlotMaker {
           ++used;
         }
       }
-      if (used < least_shift_lanes) {
+      if (used < least_lanes_) {
         rest_.insert(rest_.end(), begin, end);
         return;
       }
@@ -182,15 +190,59 @@ class SlotMaker {
     }
   }
 
-  /// Indexed slots for what no shift slot took: each takes the next spring of every lane.
+  /// Indexed slots for what no shift slot took. Springs of one stiffness are kept together where that costs
+  /// few slots more: then the row of stiffness is one value, which is stored once, and so is less to read.
   void add_indexed(std::size_t block) {
+    const auto stiffness = [this](const HalfSpring& half) { return springs_.stiffness[half.spring]; };
     std::stable_sort(rest_.begin(), rest_.end(),
                      [](const auto& a, const auto& b) { return a.lane < b.lane; });
-    std::array<std::size_t, block_size + 1> begin{};
-    for (const HalfSpring& half : rest_) ++begin[half.lane + 1];
-    std::size_t depth = *std::max_element(begin.begin(), begin.end());
+    by_stiffness_ = rest_;
+    std::stable_sort(by_stiffness_.begin(), by_stiffness_.end(),
+                     [&](const auto& a, const auto& b) { return stiffness(a) < stiffness(b); });
+    std::size_t slots_by_stiffness = 0;
+    groups_.assign(1, 0);
+    for (auto begin = by_stiffness_.cbegin(); begin != by_stiffness_.cend();) {
+      const auto end = std::find_if(begin, by_stiffness_.cend(),
+                                    [&](const auto& h) { return stiffness(h) != stiffness(*begin); });
+      slots_by_stiffness += depth(begin, end);
+      groups_.push_back(std::size_t(end - by_stiffness_.cbegin()));
+      begin = end;
+    }
+    if (4 * slots_by_stiffness > 5 * depth(rest_.cbegin(), rest_.cend())) {
+      add_levels(block, rest_.cbegin(), rest_.cend(), false);
+      return;
+    }
+    for (std::size_t g = 0; g + 1 < groups_.size(); ++g) {
+      add_levels(block, by_stiffness_.cbegin() + std::ptrdiff_t(groups_[g]),
+                 by_stiffness_.cbegin() + std::ptrdiff_t(groups_[g + 1]), true);
+    }
+  }
+
+  using LaneBegins = std::array<std::size_t, block_size + 1>;
+
+  /// Where each lane's half springs begin in a range that is sorted by lane.
+  static LaneBegins lane_begins(Iterator first, Iterator last) {
+    LaneBegins begin{};
+    for (auto half = first; half != last; ++half) ++begin[half->lane + 1];
     for (std::size_t lane = 0; lane < block_size; ++lane) begin[lane + 1] += begin[lane];
-    for (std::size_t level = 0; level < depth; ++level) {
+    return begin;
+  }
+
+  /// The most half springs that a lane has.
+  static std::size_t depth(Iterator first, Iterator last) {
+    const LaneBegins begin = lane_begins(first, last);
+    std::size_t most = 0;
+    for (std::size_t lane = 0; lane < block_size; ++lane)
+      most = std::max(most, begin[lane + 1] - begin[lane]);
+    return most;
+  }
+
+  /// Slots for half springs that are sorted by lane: each takes the next one of every lane. Where all have
+  /// one stiffness, lanes without a spring get it too: their distance of zero makes the force zero.
+  void add_levels(std::size_t block, Iterator first, Iterator last, bool one_stiffness) {
+    const LaneBegins begin = lane_begins(first, last);
+    const std::size_t levels = depth(first, last);
+    for (std::size_t level = 0; level < levels; ++level) {
       Lanes lanes;
       lanes.fill(no_spring);
       typename Slots<Real>::Slot slot{};
@@ -200,18 +252,19 @@ class SlotMaker {
         // zero.
         std::int64_t neighbour = std::int64_t(block * block_size + lane);
         if (begin[lane] + level < begin[lane + 1]) {
-          const HalfSpring& half = rest_[begin[lane] + level];
+          const HalfSpring& half = first[std::ptrdiff_t(begin[lane] + level)];
           neighbour += half.shift;
           lanes[lane] = half.spring;
         }
         neighbours.push_back(std::uint32_t(neighbour) * packed_width);
       }
-      add_slot(slot, lanes);
+      add_slot(slot, lanes, one_stiffness ? Real(springs_.stiffness[first->spring]) : Real(0));
     }
   }
 
-  void add_slot(typename Slots<Real>::Slot slot, const Lanes& lanes) {
-    std::array<Real, block_size> stiffness{}, half_pull{}, quarter_damping{};
+  void add_slot(typename Slots<Real>::Slot slot, const Lanes& lanes, Real empty_stiffness = Real(0)) {
+    std::array<Real, block_size> stiffness, half_pull{}, quarter_damping{};
+    stiffness.fill(empty_stiffness);
     for (std::size_t lane = 0; lane < block_size; ++lane) {
       const Index spring = lanes[lane];
       if (spring == no_spring) continue;
@@ -228,7 +281,9 @@ class SlotMaker {
   const Springs& springs_;
   const Adjacency& adjacency_;
   const Order& order_;
-  std::vector<HalfSpring> halves_, rest_, again_, repeated_;
+  std::size_t least_lanes_;
+  std::vector<HalfSpring> halves_, rest_, by_stiffness_, again_, repeated_;
+  std::vector<std::size_t> groups_;
 };
 
 /// Appends what was made of one run of blocks to the whole, with its rows, slots and lists numbered on.
@@ -272,16 +327,14 @@ void reserve(Slots<Real>& whole, const std::vector<SlotMaker<Real>>& runs) {
   whole.values.reserve(values);
 }
 
-}  // namespace
-
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
-                       Executor& executor) {
+                       Executor& executor, bool only_shifts) {
   // Runs of a fixed length, so that the layout does not depend on the number of threads.
   constexpr std::size_t blocks_in_run = 1024;
   const std::size_t blocks = block_count(order.size());
   const std::size_t run_count = (blocks + blocks_in_run - 1) / blocks_in_run;
-  std::vector<SlotMaker<Real>> runs(run_count, SlotMaker<Real>(springs, adjacency, order));
+  std::vector<SlotMaker<Real>> runs(run_count, SlotMaker<Real>(springs, adjacency, order, only_shifts));
   executor.parallel_for(run_count, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t run = begin; run < end; ++run) {
       const std::size_t last = std::min(blocks, (run + 1) * blocks_in_run);
@@ -293,6 +346,18 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
   reserve(slots, runs);
   for (const SlotMaker<Real>& run : runs) append(slots, run);
   return slots;
+}
+
+}  // namespace
+
+template <class Real>
+Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
+                       Executor& executor) {
+  if (order.is_identity()) {
+    Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, true);
+    if (count_slots(slots, springs.size()).empty_share() <= most_empty_lanes) return slots;
+  }
+  return make_slots<Real>(springs, adjacency, order, executor, false);
 }
 
 template <class Real>
