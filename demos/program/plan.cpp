@@ -58,6 +58,7 @@ void print_plan(const Plan& plan, std::size_t particles, std::ostream& out) {
       << " for each of " << particles << " particles\n";
   out << "order    " << plan.order << '\n';
   if (!plan.springs.empty()) out << "springs  " << plan.springs << '\n';
+  out << "tiles    " << plan.tiles << '\n';
 }
 
 int plan(const Arguments& arguments, std::ostream& out) {

@@ -1,5 +1,6 @@
 #include "forces.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -30,6 +31,12 @@ Forces<Real>::Forces(const Scene& scene, const Model<Real>& model, Accumulation 
   for (const Effect& effect : scene.effects) {
     std::visit([&](const auto& data) { effects_.push_back(compile_effect<Real>(data, context)); }, effect);
   }
+}
+
+template <class Real>
+bool Forces<Real>::calls_user() const {
+  return std::any_of(effects_.begin(), effects_.end(),
+                     [](const auto& effect) { return effect->calls_user(); });
 }
 
 template <class Real>

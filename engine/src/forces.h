@@ -20,11 +20,15 @@ class Forces {
 
   bool scatters() const { return list_ != nullptr; }
 
+  /// Whether one of the effects calls a function of the user's, which may expect to be asked for one time
+  /// after the other.
+  bool calls_user() const;
+
   /// Adds up the scattered springs' forces; on_strip() then takes them, so it must be called for every block.
   void scatter(const State<Real>& state, Executor& executor);
 
-  /// The whole force [N] on the particles of a strip.
-  void on_strip(const Strip<Real>& strip, const State<Real>& state, StripForce<Real>& force) {
+  /// The whole force [N] on the particles of a strip at `time` [s].
+  void on_strip(const Strip<Real>& strip, const State<Real>& state, double time, StripForce<Real>& force) {
     const std::size_t begin = strip.first / block_size, end = begin + strip.lanes / block_size;
     if (slots_ != nullptr) {
       gather_springs(*slots_, state, begin, end, force);
@@ -33,7 +37,7 @@ class Forces {
     } else {
       force = StripForce<Real>{};
     }
-    for (const StripEffectPointer<Real>& effect : effects_) effect->add_force(strip, state.time, force);
+    for (const StripEffectPointer<Real>& effect : effects_) effect->add_force(strip, time, force);
   }
 
   /// Forgets sums that no block took, after a step that was broken off.

@@ -81,7 +81,7 @@ Report Simulation<Real>::advance(double frame_seconds) {
 
 template <class Real>
 double Simulation<Real>::time() const {
-  return parts_->now.time;
+  return parts_->states.now().time;
 }
 
 template <class Real>
@@ -111,7 +111,7 @@ const Settings& Simulation<Real>::settings() const {
 
 template <class Real>
 StateView<Real> Simulation<Real>::state() const {
-  const State<Real>& s = parts_->now;
+  const State<Real>& s = parts_->states.now();
   const std::size_t n = s.size();
   return {{s.x(), n}, {s.y(), n}, {s.z(), n}, {s.vx(), n}, {s.vy(), n}, {s.vz(), n}};
 }
@@ -127,22 +127,24 @@ Index Simulation<Real>::engine_index(Index particle) const {
 
 template <class Real>
 void Simulation<Real>::copy_positions(float* first, std::size_t stride_bytes, double interpolation) const {
-  write_positions(first, stride_bytes, parts_->model.order, parts_->other, parts_->now, interpolation);
+  write_positions(first, stride_bytes, parts_->model.order, parts_->states.before(), parts_->states.now(),
+                  interpolation);
 }
 
 template <class Real>
 void Simulation<Real>::copy_positions(double* first, std::size_t stride_bytes, double interpolation) const {
-  write_positions(first, stride_bytes, parts_->model.order, parts_->other, parts_->now, interpolation);
+  write_positions(first, stride_bytes, parts_->model.order, parts_->states.before(), parts_->states.now(),
+                  interpolation);
 }
 
 template <class Real>
 void Simulation<Real>::copy_velocities(float* first, std::size_t stride_bytes) const {
-  write_velocities(first, stride_bytes, parts_->model.order, parts_->now);
+  write_velocities(first, stride_bytes, parts_->model.order, parts_->states.now());
 }
 
 template <class Real>
 void Simulation<Real>::copy_velocities(double* first, std::size_t stride_bytes) const {
-  write_velocities(first, stride_bytes, parts_->model.order, parts_->now);
+  write_velocities(first, stride_bytes, parts_->model.order, parts_->states.now());
 }
 
 template <class Real>
@@ -153,24 +155,24 @@ const Plan& Simulation<Real>::plan() const {
 template <class Real>
 Energy Simulation<Real>::energy() const {
   const Parts& p = *parts_;
-  const ParticleSums sums = sum_particles(p.model, p.forces, p.now, *p.executor);
-  return {sums.kinetic, p.forces.measure_springs(p.now, *p.executor).energy, sums.external};
+  const ParticleSums sums = sum_particles(p.model, p.forces, p.states.now(), *p.executor);
+  return {sums.kinetic, p.forces.measure_springs(p.states.now(), *p.executor).energy, sums.external};
 }
 
 template <class Real>
 Vec3 Simulation<Real>::momentum() const {
   const Parts& p = *parts_;
-  return sum_particles(p.model, p.forces, p.now, *p.executor).momentum;
+  return sum_particles(p.model, p.forces, p.states.now(), *p.executor).momentum;
 }
 
 template <class Real>
 double Simulation<Real>::max_strain() const {
-  return parts_->forces.measure_springs(parts_->now, *parts_->executor).max_strain;
+  return parts_->forces.measure_springs(parts_->states.now(), *parts_->executor).max_strain;
 }
 
 template <class Real>
 std::uint64_t Simulation<Real>::state_hash() const {
-  return hash_state(parts_->now, parts_->model.order);
+  return hash_state(parts_->states.now(), parts_->model.order);
 }
 
 template class Simulation<float>;

@@ -1,5 +1,7 @@
 #include "simulation_parts.h"
 
+#include <algorithm>
+
 #include "model/precision.h"
 #include "step.h"
 
@@ -27,49 +29,49 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
       executor(executor_of(settings)),
       model(scene, settings.accumulation, *executor),
       forces(scene, model, settings.accumulation),
-      now(initial_state(scene, model)),
-      other(now),
-      plan(make_plan(settings, model, forces, now.bytes() + other.bytes())),
+      plan(make_plan(settings, model, forces)),
+      workers(plan.tiles, executor->threads()),
+      states(initial_state(scene, model), plan.states()),
       clock(settings.step, settings.max_steps_per_advance) {
+  plan.shown.state_bytes = states.bytes();
   for (const Sweep<Real>& sweep : plan.sweeps) times.push_back({sweep.name, 0.0});
 }
 
 template <class Real>
-Index Simulation<Real>::Parts::take_step() {
-  // A product, not a sum of steps: a sum drifts by a rounding error in each.
-  const double time_after = time_at_step_0 + double(steps + 1) * settings.step;
-  Step<Real> step{now, other, settings.step, time_after, *executor};
+Index Simulation<Real>::Parts::take_at_once(std::size_t count) {
+  const PlanRun<Real> run{plan, workers, *executor, times};
   try {
-    run_plan(plan, step, times);
+    return hooke::take_steps(run, {time_at_step_0, steps, settings.step}, count, states);
   } catch (...) {
-    // A callback of the user's threw: the state now is whole, the next one and the force sums are not.
+    // A callback of the user's threw: the newest state is whole, the next one and the force sums are not.
     forces.clear();
-    other = now;
+    states.drop();
     throw;
   }
-  if (step.first_bad != Report::none) {
-    other = now;
-    return step.first_bad;
-  }
-  std::swap(now, other);
-  ++steps;
-  return Report::none;
 }
 
 template <class Real>
 Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
   for (SweepTime& time : times) time.seconds = 0.0;
   Report report;
+  std::uint64_t one_by_one = 0;  // steps to be taken one by one, as one of them went bad
   while (report.steps_taken < count && report.ok()) {
-    report.first_bad_particle = take_step();
-    if (report.first_bad_particle == Report::none) {
-      ++report.steps_taken;
+    const std::uint64_t left = count - report.steps_taken;
+    const std::uint64_t tried = one_by_one > 0 ? 1 : std::min<std::uint64_t>(left, plan.most_steps_at_once);
+    const Index bad = take_at_once(tried);
+    if (bad == Report::none) {
+      steps += tried;
+      report.steps_taken += tried;
+      one_by_one -= one_by_one > 0;
+    } else if (tried > 1) {
+      one_by_one = tried;
     } else {
+      report.first_bad_particle = bad;
       report.flags |= flag_not_finite;
     }
   }
   report.step = steps + (report.ok() ? 0 : 1);
-  report.time = now.time;
+  report.time = states.now().time;
   report.sweeps = times;
   return report;
 }

@@ -9,8 +9,9 @@
 #include "forces.h"
 #include "measure.h"
 #include "model/model.h"
+#include "parallel/tile_workers.h"
 #include "plan.h"
-#include "state.h"
+#include "state_ring.h"
 
 namespace hooke {
 
@@ -21,8 +22,9 @@ struct Simulation<Real>::Parts {
   std::shared_ptr<Executor> executor;
   Model<Real> model;
   Forces<Real> forces;
-  State<Real> now, other;  ///< `other` is the state before, and the place for the next one
   CompiledPlan<Real> plan;
+  TileWorkers workers;
+  StateRing<Real> states;
   Clock clock;
   std::uint64_t steps = 0;
   double time_at_step_0 = 0.0;  ///< [s] not zero after a snapshot from steps of another length
@@ -34,9 +36,9 @@ struct Simulation<Real>::Parts {
   Report take_steps(std::uint64_t count);
 
  private:
-  /// Takes one step and returns Report::none, or returns the particle that went bad and stays in the state
-  /// before.
-  Index take_step();
+  /// Takes `count` steps, at most plan.most_steps_at_once, and returns Report::none; or returns a particle
+  /// that went bad and stays in the state before.
+  Index take_at_once(std::size_t count);
 };
 
 }  // namespace hooke

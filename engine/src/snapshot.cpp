@@ -32,7 +32,7 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
   snapshot.velocities.resize(3 * p.model.particles());
   copy_positions(snapshot.positions.data(), 3 * sizeof(Real));
   copy_velocities(snapshot.velocities.data(), 3 * sizeof(Real));
-  snapshot.time = p.now.time;
+  snapshot.time = p.states.now().time;
   snapshot.step = p.steps;
   snapshot.remainder = p.clock.remainder();
   return snapshot;
@@ -47,11 +47,11 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   p.clock.set_remainder(snapshot.remainder);
   for (std::size_t i = 0; i < p.model.particles(); ++i) {
     const Index e = p.model.order.engine(i);
-    p.now.set_position(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.positions[3 * i]));
-    p.now.set_velocity(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.velocities[3 * i]));
+    p.states.now().set_position(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.positions[3 * i]));
+    p.states.now().set_velocity(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.velocities[3 * i]));
   }
-  p.now.time = snapshot.time;
-  p.other = p.now;
+  p.states.now().time = snapshot.time;
+  p.states.drop();
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
 }

@@ -20,7 +20,7 @@ inline std::size_t block_count(std::size_t particles) {
 inline constexpr std::size_t packed_width = 4;
 
 /// Which packed copies a state keeps beside its arrays, for neighbours that are read one by one.
-enum class Packed { none, positions, positions_and_velocities };
+enum class Packed { none = 0, positions = 1, positions_and_velocities = 2 };
 
 /// Positions [m], velocities [m/s] and time [s]: all that changes from step to step. Structure of arrays in
 /// the engine's order, padded with zeros to whole blocks.
@@ -75,6 +75,12 @@ class State {
     vy()[i] = value.y();
     vz()[i] = value.z();
     pack(packed_velocities_, i, value);
+  }
+
+  /// What the values of some particles take, without guards and padding.
+  static std::size_t bytes_of(std::size_t particles, Packed packed) {
+    const std::size_t copies = std::size_t(packed);
+    return particles * (6 + copies * packed_width) * sizeof(Real);
   }
 
   std::size_t bytes() const {

@@ -59,6 +59,7 @@ struct Plan {
   std::size_t model_bytes = 0;  ///< inverse masses and the maps between the user's numbering and the engine's
   std::string order;            ///< how particles are numbered inside, and why
   std::string springs;          ///< how springs are laid out; empty where there are none
+  std::string tiles;            ///< how particles are cut into tiles, and how many steps run on one at once
 
   std::size_t bytes() const;  ///< everything: state, model and stages
 };

@@ -17,6 +17,8 @@ class FieldForce final : public StripEffect<Real> {
     }
   }
 
+  bool calls_user() const override { return true; }
+
   Stage stage() const override { return {std::string(Field::name), {}, {"position", "time"}, {}, 0}; }
 
  private:

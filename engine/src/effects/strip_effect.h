@@ -25,6 +25,9 @@ class StripEffect {
   /// Potential energy [J] of the strip's particles; 0 for an effect that has none.
   virtual double energy(const Strip<Real>&) const { return 0.0; }
 
+  /// Whether add_force() calls a function of the user's.
+  virtual bool calls_user() const { return false; }
+
   /// Its name, what it reads and the bytes it holds; it always writes forces.
   virtual Stage stage() const = 0;
 };

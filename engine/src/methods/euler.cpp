@@ -154,17 +154,16 @@ void note_first_bad(const NextStrip<Real>& next, const Strip<Real>& strip, const
 
 template <class Real>
 void advance_blocks(MoveWith move_with, const Model<Real>& model, Forces<Real>& forces,
-                    const State<Real>& now, Real h, std::size_t begin, std::size_t end, State<Real>& next,
-                    std::atomic<Index>& first_bad) {
+                    const Step<Real>& step, std::size_t begin, std::size_t end) {
   const FlushSubnormals flush;
   StripForce<Real> force;
   for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
-    const Strip<Real> strip(now, first, last);
-    forces.on_strip(strip, now, force);
-    const NextStrip<Real> after(next, strip.first);
+    const Strip<Real> strip(step.now, first, last);
+    forces.on_strip(strip, step.now, step.time, force);
+    const NextStrip<Real> after(step.next, strip.first);
     const Real* inverse_mass = model.inverse_mass.data() + strip.first;
-    if (!advance(move_with, strip, force, inverse_mass, h, after))
-      note_first_bad(after, strip, model.order, first_bad);
+    if (!advance(move_with, strip, force, inverse_mass, Real(step.h), after))
+      note_first_bad(after, strip, model.order, step.first_bad);
   });
 }
 
@@ -172,21 +171,19 @@ void advance_blocks(MoveWith move_with, const Model<Real>& model, Forces<Real>& 
 
 template <class Real>
 void euler_blocks(const SymplecticEuler&, const Model<Real>& model, Forces<Real>& forces,
-                  const State<Real>& now, double h, std::size_t begin, std::size_t end, State<Real>& next,
-                  std::atomic<Index>& first_bad) {
-  advance_blocks(MoveWith::new_velocity, model, forces, now, Real(h), begin, end, next, first_bad);
+                  const Step<Real>& step, std::size_t begin, std::size_t end) {
+  advance_blocks(MoveWith::new_velocity, model, forces, step, begin, end);
 }
 
 template <class Real>
 void euler_blocks(const ExplicitEuler&, const Model<Real>& model, Forces<Real>& forces,
-                  const State<Real>& now, double h, std::size_t begin, std::size_t end, State<Real>& next,
-                  std::atomic<Index>& first_bad) {
-  advance_blocks(MoveWith::old_velocity, model, forces, now, Real(h), begin, end, next, first_bad);
+                  const Step<Real>& step, std::size_t begin, std::size_t end) {
+  advance_blocks(MoveWith::old_velocity, model, forces, step, begin, end);
 }
 
-#define HOOKE_EULER(METHOD, REAL)                                                                          \
-  template void euler_blocks(const METHOD&, const Model<REAL>&, Forces<REAL>&, const State<REAL>&, double, \
-                             std::size_t, std::size_t, State<REAL>&, std::atomic<Index>&);
+#define HOOKE_EULER(METHOD, REAL)                                                                 \
+  template void euler_blocks(const METHOD&, const Model<REAL>&, Forces<REAL>&, const Step<REAL>&, \
+                             std::size_t, std::size_t);
 HOOKE_EULER(SymplecticEuler, float)
 HOOKE_EULER(SymplecticEuler, double)
 HOOKE_EULER(ExplicitEuler, float)

@@ -1,5 +1,7 @@
 #include "model/model.h"
 
+#include "model/tiles.h"
+
 namespace hooke {
 namespace {
 
@@ -28,14 +30,6 @@ typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const
   return std::monostate{};
 }
 
-/// The packed copies of the state that a layout is read with.
-template <class Real>
-Packed packed_for(const typename Model<Real>::SpringLayout& layout) {
-  const auto* slots = std::get_if<Slots<Real>>(&layout);
-  if (slots == nullptr || !slots->any_indexed()) return Packed::none;
-  return slots->damped ? Packed::positions_and_velocities : Packed::positions;
-}
-
 }  // namespace
 
 template <class Real>
@@ -44,26 +38,36 @@ Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& exec
   const std::size_t count = scene.particles.size();
   const Adjacency adjacency(scene.springs, count);
   order = choose_order(scene.springs, adjacency, count);
+  spring_reach = hooke::spring_reach(scene.springs, order);
   spring_layout = lay_out_springs<Real>(scene.springs, adjacency, order, accumulation, executor);
   inverse_mass = inverse_masses<Real>(scene, order);
   moving_pins = hooke::moving_pins(scene, order);
 }
 
 template <class Real>
+Packed packed_for(const Model<Real>& model) {
+  const auto* slots = std::get_if<Slots<Real>>(&model.spring_layout);
+  if (slots == nullptr || !slots->any_indexed()) return Packed::none;
+  return slots->damped ? Packed::positions_and_velocities : Packed::positions;
+}
+
+template <class Real>
 State<Real> initial_state(const Scene& scene, const Model<Real>& model) {
-  State<Real> state(model.particles(), packed_for<Real>(model.spring_layout));
+  State<Real> state(model.particles(), packed_for(model));
   for (std::size_t i = 0; i < model.particles(); ++i) {
     const Index e = model.order.engine(i);
     state.set_position(e, scene.particles.position[i].cast<Real>());
     const bool pinned = model.inverse_mass[e] == Real(0);
     if (!pinned) state.set_velocity(e, scene.particles.velocity_of(i).cast<Real>());
   }
-  move_pins(model.moving_pins, state);
+  move_pins(std::span(model.moving_pins), state.time, state);
   return state;
 }
 
 template struct Model<float>;
 template struct Model<double>;
+template Packed packed_for(const Model<float>&);
+template Packed packed_for(const Model<double>&);
 template State<float> initial_state(const Scene&, const Model<float>&);
 template State<double> initial_state(const Scene&, const Model<double>&);
 

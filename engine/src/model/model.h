@@ -22,6 +22,7 @@ struct Model {
 
   Order order;
   std::size_t springs = 0;
+  std::size_t spring_reach = 0;      ///< the most blocks that a spring reaches over
   AlignedVector<Real> inverse_mass;  ///< [1/kg], whole blocks; 0 where pinned, and in the padding
   SpringLayout spring_layout;
   std::vector<MovingPin> moving_pins;
@@ -30,6 +31,10 @@ struct Model {
 
   std::size_t particles() const { return order.size(); }
 };
+
+/// The packed copies of the state that its springs are read from.
+template <class Real>
+Packed packed_for(const Model<Real>& model);
 
 /// The scene's positions and velocities at time zero. Pinned particles are at rest, or on their paths.
 template <class Real>

@@ -19,7 +19,16 @@ std::vector<MovingPin> moving_pins(const Scene& scene, const Order& order) {
     if (pin.path.empty()) continue;
     pins.push_back({order.engine(pin.particle), scene.particles.position[pin.particle], pin.path});
   }
+  std::sort(pins.begin(), pins.end(),
+            [](const MovingPin& a, const MovingPin& b) { return a.particle < b.particle; });
   return pins;
+}
+
+std::span<const MovingPin> pins_between(const std::vector<MovingPin>& pins, std::size_t first,
+                                        std::size_t last) {
+  const auto before = [](const MovingPin& pin, std::size_t particle) { return pin.particle < particle; };
+  const auto begin = std::lower_bound(pins.begin(), pins.end(), first, before);
+  return {begin, std::lower_bound(begin, pins.end(), last, before)};
 }
 
 Vec3 displacement_at(const std::vector<Keyframe>& path, double time) {
@@ -39,16 +48,16 @@ Vec3 velocity_at(const std::vector<Keyframe>& path, double time) {
 }
 
 template <class Real>
-void move_pins(const std::vector<MovingPin>& pins, State<Real>& state) {
+void move_pins(std::span<const MovingPin> pins, double time, State<Real>& state) {
   for (const MovingPin& pin : pins) {
-    const Vec3 position = pin.start + displacement_at(pin.path, state.time);
-    const Vec3 velocity = velocity_at(pin.path, state.time);
+    const Vec3 position = pin.start + displacement_at(pin.path, time);
+    const Vec3 velocity = velocity_at(pin.path, time);
     state.set_position(pin.particle, position.cast<Real>());
     state.set_velocity(pin.particle, velocity.cast<Real>());
   }
 }
 
-template void move_pins(const std::vector<MovingPin>&, State<float>&);
-template void move_pins(const std::vector<MovingPin>&, State<double>&);
+template void move_pins(std::span<const MovingPin>, double, State<float>&);
+template void move_pins(std::span<const MovingPin>, double, State<double>&);
 
 }  // namespace hooke

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <hooke/scene.h>
@@ -16,15 +17,19 @@ struct MovingPin {
   std::vector<Keyframe> path;
 };
 
-/// The pins of a scene that have a path.
+/// The pins of a scene that have a path, sorted by particle.
 std::vector<MovingPin> moving_pins(const Scene& scene, const Order& order);
 
 /// Displacement [m] and velocity [m/s] on a path of straight lines at `time` [s].
 Vec3 displacement_at(const std::vector<Keyframe>& path, double time);
 Vec3 velocity_at(const std::vector<Keyframe>& path, double time);
 
-/// Puts each pin where its path is at the state's time.
+/// Those of the sorted pins whose particles are in [first, last).
+std::span<const MovingPin> pins_between(const std::vector<MovingPin>& pins, std::size_t first,
+                                        std::size_t last);
+
+/// Puts each pin where its path is at `time` [s].
 template <class Real>
-void move_pins(const std::vector<MovingPin>& pins, State<Real>& state);
+void move_pins(std::span<const MovingPin> pins, double time, State<Real>& state);
 
 }  // namespace hooke
