@@ -46,7 +46,7 @@ Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Force
 template <class Real>
 std::size_t block_bytes(const Model<Real>& model, const Forces<Real>& forces) {
   const std::size_t blocks = block_count(model.particles());
-  std::size_t constant = model.inverse_mass.capacity() * sizeof(Real);
+  std::size_t constant = model.inverse_mass.bytes();
   for (const Stage& stage : forces.strip_stages()) constant += stage.bytes;
   const std::size_t two_states = 2 * State<Real>::bytes_of(block_size, packed_for(model));
   return two_states + (blocks == 0 ? 0 : constant / blocks);
@@ -80,7 +80,7 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
   const bool one_sweep = plan.sweeps.size() == 1 && !forces.calls_user();
   plan.most_steps_at_once = one_sweep ? most_steps_at_once : 1;
   plan.shown.stages = stages_of(plan.sweeps);
-  plan.shown.model_bytes = model.order.bytes() + model.inverse_mass.capacity() * sizeof(Real);
+  plan.shown.model_bytes = model.order.bytes() + model.inverse_mass.bytes();
   plan.shown.order = model.order.reason();
   plan.shown.springs = forces.spring_layout();
   plan.tiles = make_tiles(block_count(model.particles()), model.spring_reach, block_bytes(model, forces));

@@ -1,4 +1,5 @@
 #include "effects/strip_effect.h"
+#include "model/row_store.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "effects/gravity.cpp"
@@ -12,9 +13,10 @@ namespace HWY_NAMESPACE {
 namespace {
 
 template <class Real>
-HWY_INLINE void add(const Strip<Real>& strip, const Real* mass, const Real* g, StripForce<Real>& force) {
+HWY_INLINE void add(const Strip<Real>& strip, const BlockRows<Real>& mass, const Real* g,
+                    StripForce<Real>& force) {
   for_each_vector(strip, [&](auto d, std::size_t lane) HWY_ATTR {
-    const auto m = hn::Load(d, mass + lane);
+    const auto m = hn::Load(d, mass.block((strip.first + lane) / block_size) + lane % block_size);
     add_product(d, m, hn::Set(d, g[0]), force.x + lane);
     add_product(d, m, hn::Set(d, g[1]), force.y + lane);
     add_product(d, m, hn::Set(d, g[2]), force.z + lane);
@@ -23,11 +25,12 @@ HWY_INLINE void add(const Strip<Real>& strip, const Real* mass, const Real* g, S
 
 }  // namespace
 
-void weight_float(const Strip<float>& strip, const float* mass, const float* g, StripForce<float>& force) {
+void weight_float(const Strip<float>& strip, const BlockRows<float>& mass, const float* g,
+                  StripForce<float>& force) {
   add(strip, mass, g, force);
 }
 
-void weight_double(const Strip<double>& strip, const double* mass, const double* g,
+void weight_double(const Strip<double>& strip, const BlockRows<double>& mass, const double* g,
                    StripForce<double>& force) {
   add(strip, mass, g, force);
 }
@@ -43,12 +46,14 @@ namespace {
 HWY_EXPORT(weight_float);
 HWY_EXPORT(weight_double);
 
-/// Adds m g for each lane; `mass` is the strip's.
-void add_weight(const Strip<float>& strip, const float* mass, const float* g, StripForce<float>& force) {
+/// Adds m g for each lane.
+void add_weight(const Strip<float>& strip, const BlockRows<float>& mass, const float* g,
+                StripForce<float>& force) {
   HWY_DYNAMIC_DISPATCH(weight_float)(strip, mass, g, force);
 }
 
-void add_weight(const Strip<double>& strip, const double* mass, const double* g, StripForce<double>& force) {
+void add_weight(const Strip<double>& strip, const BlockRows<double>& mass, const double* g,
+                StripForce<double>& force) {
   HWY_DYNAMIC_DISPATCH(weight_double)(strip, mass, g, force);
 }
 
@@ -56,17 +61,10 @@ template <class Real>
 class GravityForce final : public StripEffect<Real> {
  public:
   GravityForce(const Gravity& gravity, const EffectContext& context)
-      : g_(gravity.acceleration.cast<Real>()),
-        mass_(block_count(context.scene.particles.size()) * block_size, Real(0)) {
-    const Particles& particles = context.scene.particles;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      mass_[context.order.engine(i)] = Real(particles.mass[i]);
-    // A pinned particle does not fall, and has no energy to give: without mass here it is left alone.
-    for (const Pin& pin : context.scene.pins) mass_[context.order.engine(pin.particle)] = Real(0);
-  }
+      : g_(gravity.acceleration.cast<Real>()), mass_(masses_to_pull(context)) {}
 
   void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
-    add_weight(strip, mass_.data() + strip.first, g_.data(), force);
+    add_weight(strip, mass_, g_.data(), force);
   }
 
   double energy(const Strip<Real>& strip) const override {
@@ -78,13 +76,21 @@ class GravityForce final : public StripEffect<Real> {
     return sum;
   }
 
-  Stage stage() const override {
-    return {std::string(Gravity::name), {}, {"mass"}, {}, mass_.capacity() * sizeof(Real)};
-  }
+  Stage stage() const override { return {std::string(Gravity::name), {}, {"mass"}, {}, mass_.bytes()}; }
 
  private:
+  /// A pinned particle does not fall, and has no energy to give: without mass here it is left alone.
+  static BlockRows<Real> masses_to_pull(const EffectContext& context) {
+    std::vector<bool> pinned(context.order.size(), false);
+    for (const Pin& pin : context.scene.pins) pinned[pin.particle] = true;
+    return BlockRows<Real>(context.order.size(), [&](std::size_t i) {
+      const Index particle = context.order.user(i);
+      return pinned[particle] ? Real(0) : Real(context.scene.particles.mass[particle]);
+    });
+  }
+
   Eigen::Matrix<Real, 3, 1> g_;
-  AlignedVector<Real> mass_;  ///< [kg], 0 where pinned
+  BlockRows<Real> mass_;  ///< [kg], 0 where pinned
 };
 
 }  // namespace

@@ -64,13 +64,13 @@ HWY_INLINE Coordinate<V> advance(D d, const Real* x, const Real* v, const Real* 
 
 /// Returns whether all new values are finite.
 template <MoveWith move_with, class Real>
-HWY_INLINE bool advance_strip(const Strip<Real>& now, const StripForce<Real>& force, const Real* inverse_mass,
-                              Real step, const NextStrip<Real>& next) {
+HWY_INLINE bool advance_strip(const Strip<Real>& now, const StripForce<Real>& force,
+                              const BlockRows<Real>& inverse_mass, Real step, const NextStrip<Real>& next) {
   const hn::CappedTag<Real, block_size> d;
   const auto h = hn::Set(d, step), zero = hn::Zero(d);
   auto zero_if_finite = zero;
   for (std::size_t lane = 0; lane < now.lanes; lane += hn::Lanes(d)) {
-    const auto w = hn::Load(d, inverse_mass + lane);
+    const auto w = hn::Load(d, inverse_mass.block((now.first + lane) / block_size) + lane % block_size);
     const auto x = advance<move_with>(d, now.x + lane, now.vx + lane, force.x + lane, w, h);
     const auto y = advance<move_with>(d, now.y + lane, now.vy + lane, force.y + lane, w, h);
     const auto z = advance<move_with>(d, now.z + lane, now.vz + lane, force.z + lane, w, h);
@@ -93,7 +93,7 @@ HWY_INLINE bool advance_strip(const Strip<Real>& now, const StripForce<Real>& fo
 
 template <class Real>
 HWY_INLINE bool advance_strip(MoveWith move_with, const Strip<Real>& now, const StripForce<Real>& force,
-                              const Real* inverse_mass, Real h, const NextStrip<Real>& next) {
+                              const BlockRows<Real>& inverse_mass, Real h, const NextStrip<Real>& next) {
   return move_with == MoveWith::new_velocity
              ? advance_strip<MoveWith::new_velocity>(now, force, inverse_mass, h, next)
              : advance_strip<MoveWith::old_velocity>(now, force, inverse_mass, h, next);
@@ -102,12 +102,12 @@ HWY_INLINE bool advance_strip(MoveWith move_with, const Strip<Real>& now, const 
 }  // namespace
 
 bool advance_float(MoveWith move_with, const Strip<float>& now, const StripForce<float>& force,
-                   const float* inverse_mass, float h, const NextStrip<float>& next) {
+                   const BlockRows<float>& inverse_mass, float h, const NextStrip<float>& next) {
   return advance_strip(move_with, now, force, inverse_mass, h, next);
 }
 
 bool advance_double(MoveWith move_with, const Strip<double>& now, const StripForce<double>& force,
-                    const double* inverse_mass, double h, const NextStrip<double>& next) {
+                    const BlockRows<double>& inverse_mass, double h, const NextStrip<double>& next) {
   return advance_strip(move_with, now, force, inverse_mass, h, next);
 }
 
@@ -127,12 +127,12 @@ HWY_EXPORT(advance_float);
 HWY_EXPORT(advance_double);
 
 bool advance(MoveWith move_with, const Strip<float>& now, const StripForce<float>& force,
-             const float* inverse_mass, float h, const NextStrip<float>& next) {
+             const BlockRows<float>& inverse_mass, float h, const NextStrip<float>& next) {
   return HWY_DYNAMIC_DISPATCH(advance_float)(move_with, now, force, inverse_mass, h, next);
 }
 
 bool advance(MoveWith move_with, const Strip<double>& now, const StripForce<double>& force,
-             const double* inverse_mass, double h, const NextStrip<double>& next) {
+             const BlockRows<double>& inverse_mass, double h, const NextStrip<double>& next) {
   return HWY_DYNAMIC_DISPATCH(advance_double)(move_with, now, force, inverse_mass, h, next);
 }
 
@@ -161,8 +161,7 @@ void advance_blocks(MoveWith move_with, const Model<Real>& model, Forces<Real>& 
     const Strip<Real> strip(step.now, first, last);
     forces.on_strip(strip, step.now, step.time, force);
     const NextStrip<Real> after(step.next, strip.first);
-    const Real* inverse_mass = model.inverse_mass.data() + strip.first;
-    if (!advance(move_with, strip, force, inverse_mass, Real(step.h), after))
+    if (!advance(move_with, strip, force, model.inverse_mass, Real(step.h), after))
       note_first_bad(after, strip, model.order, step.first_bad);
   });
 }

@@ -6,12 +6,13 @@ namespace hooke {
 namespace {
 
 template <class Real>
-AlignedVector<Real> inverse_masses(const Scene& scene, const Order& order) {
-  AlignedVector<Real> inverse(block_count(order.size()) * block_size, Real(0));
-  for (std::size_t i = 0; i < order.size(); ++i)
-    inverse[order.engine(i)] = Real(1.0 / scene.particles.mass[i]);
-  for (const Pin& pin : scene.pins) inverse[order.engine(pin.particle)] = Real(0);
-  return inverse;
+BlockRows<Real> inverse_masses(const Scene& scene, const Order& order) {
+  std::vector<bool> pinned(order.size(), false);
+  for (const Pin& pin : scene.pins) pinned[pin.particle] = true;
+  return BlockRows<Real>(order.size(), [&](std::size_t i) {
+    const Index particle = order.user(i);
+    return pinned[particle] ? Real(0) : Real(1.0 / scene.particles.mass[particle]);
+  });
 }
 
 template <class Real>

@@ -5,10 +5,10 @@
 
 #include <hooke/simulation.h>
 
-#include "aligned.h"
 #include "model/colouring.h"
 #include "model/order.h"
 #include "model/pins.h"
+#include "model/row_store.h"
 #include "model/slots.h"
 #include "state.h"
 
@@ -22,8 +22,8 @@ struct Model {
 
   Order order;
   std::size_t springs = 0;
-  std::size_t spring_reach = 0;      ///< the most blocks that a spring reaches over
-  AlignedVector<Real> inverse_mass;  ///< [1/kg], whole blocks; 0 where pinned, and in the padding
+  std::size_t spring_reach = 0;  ///< the most blocks that a spring reaches over
+  BlockRows<Real> inverse_mass;  ///< [1/kg]; 0 where pinned, and in the padding
   SpringLayout spring_layout;
   std::vector<MovingPin> moving_pins;
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+
+#include "model/row_store.h"
 
 namespace hooke {
 namespace {
@@ -26,44 +27,6 @@ struct HalfSpring {
   Index spring;
 
   auto operator<=>(const HalfSpring&) const = default;
-};
-
-/// Remembers where things with a hash were stored, the latest at each place of a small table.
-class HashTable {
- public:
-  static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-  std::uint32_t& place(std::uint64_t hash) { return table_[(hash >> 40) % table_.size()]; }
-
-  static std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
-    return (hash ^ word) * 0x9E3779B97F4A7C15u;
-  }
-
- private:
-  std::vector<std::uint32_t> table_ = std::vector<std::uint32_t>(4096, none);
-};
-
-/// Rows of 16 values, equal ones stored once as far as the table remembers them.
-template <class Real>
-class RowStore {
- public:
-  std::uint32_t row(const std::array<Real, block_size>& lanes) {
-    std::uint64_t hash = 0;
-    for (Real lane : lanes) hash = HashTable::mix(hash, std::hash<Real>{}(lane));
-    std::uint32_t& known = table_.place(hash);
-    if (known != HashTable::none &&
-        std::equal(lanes.begin(), lanes.end(), &values[std::size_t(known) * block_size])) {
-      return known;
-    }
-    known = std::uint32_t(values.size() / block_size);
-    values.insert(values.end(), lanes.begin(), lanes.end());
-    return known;
-  }
-
-  std::vector<Real> values;
-
- private:
-  HashTable table_;
 };
 
 /// Lists of slots, equal ones stored once as far as the table remembers them.
