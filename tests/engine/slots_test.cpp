@@ -36,9 +36,8 @@ Count half_springs(const Slots<double>& slots) {
       const auto& slot = slots.slots[s];
       for (std::size_t lane = 0; lane < block_size; ++lane) {
         const Index particle = Index(block * block_size + lane);
-        const Index neighbour = s < list.first_indexed
-                                    ? Index(std::int64_t(particle) + slot.shift)
-                                    : slots.neighbour_row(slot.neighbours)[lane] / packed_width;
+        const Index neighbour = s < list.first_indexed ? Index(std::int64_t(particle) + slot.shift)
+                                                       : Index(slots.neighbour(block, slot, lane));
         const double damping = slots.damped ? 4.0 * slots.row(slot.quarter_damping)[lane] : 0.0;
         const double stiffness = slots.row(slot.stiffness)[lane];
         if (neighbour == particle || (stiffness == 0.0 && damping == 0.0)) continue;
@@ -97,6 +96,6 @@ TEST_CASE("the layout does not depend on the number of threads") {
   const Order order(scene.particles.size(), "");
   const Slots<double> one = slots_of(scene, order, 1), four = slots_of(scene, order, 4);
   CHECK(one.values == four.values);
-  CHECK(one.neighbours == four.neighbours);
+  CHECK(one.short_offsets == four.short_offsets);
   CHECK(one.list_of_block == four.list_of_block);
 }

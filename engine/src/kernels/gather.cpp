@@ -19,7 +19,7 @@ struct Particles {
 };
 
 /// Gathers the forces on the lanes of one vector in a block.
-template <class Real, bool damped>
+template <class Real, bool damped, class Offset>
 class LaneGather {
  public:
   using D = hn::CappedTag<Real, block_size>;
@@ -28,7 +28,7 @@ class LaneGather {
   LaneGather(const Slots<Real>& slots, const State<Real>& state)
       : slots_(slots.slots.data()),
         values_(slots.values.data()),
-        neighbours_(slots.neighbours.data()),
+        offsets_(offsets_of(slots)),
         x_(state.x()),
         y_(state.y()),
         z_(state.z()),
@@ -58,14 +58,21 @@ class LaneGather {
     if constexpr (vectors == 1) {
       for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
         const auto& slot = slots_[s];
-        const std::uint32_t* neighbours = neighbours_ + std::size_t(slot.neighbours) * block_size + lane;
-        sum[0] = add(own[0], at(neighbours), rows(slot, lane), sum[0]);
+        const Offset* offsets = offsets_ + std::size_t(slot.neighbours) * block_size + lane;
+        sum[0] = add(own[0], at(first - lane, offsets), rows(slot, lane), sum[0]);
       }
     }
     for (std::size_t v = 0; v < vectors; ++v) out[v] = sum[v];
   }
 
  private:
+  static const Offset* offsets_of(const Slots<Real>& slots) {
+    if constexpr (sizeof(Offset) == sizeof(std::int16_t))
+      return slots.short_offsets.data();
+    else
+      return slots.long_offsets.data();
+  }
+
   HWY_INLINE Particles<V> at(std::ptrdiff_t i) const {
     Particles<V> particles;
     particles.position = load3(D(), x_ + i, y_ + i, z_ + i);
@@ -73,10 +80,12 @@ class LaneGather {
     return particles;
   }
 
-  HWY_INLINE Particles<V> at(const std::uint32_t* neighbours) const {
+  /// The neighbours of a block's lanes; `block` is its first particle.
+  HWY_INLINE Particles<V> at(std::size_t block, const Offset* offsets) const {
+    const std::size_t base = block * packed_width;
     Particles<V> particles;
-    particles.position = load_packed(D(), packed_positions_, neighbours);
-    if constexpr (damped) particles.velocity = load_packed(D(), packed_velocities_, neighbours);
+    particles.position = load_packed(D(), packed_positions_ + base, offsets);
+    if constexpr (damped) particles.velocity = load_packed(D(), packed_velocities_ + base, offsets);
     return particles;
   }
 
@@ -104,20 +113,20 @@ class LaneGather {
 
   const typename Slots<Real>::Slot* slots_;
   const Real* values_;
-  const std::uint32_t* neighbours_;
+  const Offset* offsets_;
   const Real *x_, *y_, *z_, *vx_, *vy_, *vz_;
   const Real *packed_positions_, *packed_velocities_;
 };
 
-template <bool damped, class Real>
+template <bool damped, class Offset, class Real>
 void gather(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
             StripForce<Real>& force) {
-  const LaneGather<Real, damped> lanes(slots, state);
-  using D = typename LaneGather<Real, damped>::D;
+  const LaneGather<Real, damped, Offset> lanes(slots, state);
+  using D = typename LaneGather<Real, damped, Offset>::D;
   const D d;
   const auto* lists = slots.lists.data();
   const std::uint32_t* list_of_block = slots.list_of_block.data();
-  using V = typename LaneGather<Real, damped>::V;
+  using V = typename LaneGather<Real, damped, Offset>::V;
   const auto store = [&](const Vector3<V>& sum, std::size_t out) HWY_ATTR {
     hn::Store(sum.x, d, force.x + out);
     hn::Store(sum.y, d, force.y + out);
@@ -147,8 +156,11 @@ void gather(const Slots<Real>& slots, const State<Real>& state, std::size_t begi
 template <class Real>
 void gather_any(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
                 StripForce<Real>& force) {
-  slots.damped ? gather<true>(slots, state, begin, end, force)
-               : gather<false>(slots, state, begin, end, force);
+  const auto gather_with = [&]<class Offset>(Offset) {
+    slots.damped ? gather<true, Offset>(slots, state, begin, end, force)
+                 : gather<false, Offset>(slots, state, begin, end, force);
+  };
+  slots.long_offsets.empty() ? gather_with(std::int16_t{}) : gather_with(std::int32_t{});
 }
 
 }  // namespace
@@ -199,9 +211,8 @@ SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& stat
     const auto& slot = slots.slots[s];
     for (std::size_t lane = 0; lane < block_size && first + lane < state.size(); ++lane) {
       const std::size_t own = first + lane;
-      const std::size_t other = s < list.first_indexed
-                                    ? own + std::size_t(std::ptrdiff_t(slot.shift))
-                                    : slots.neighbour_row(slot.neighbours)[lane] / packed_width;
+      const std::size_t other = s < list.first_indexed ? own + std::size_t(std::ptrdiff_t(slot.shift))
+                                                       : slots.neighbour(block, slot, lane);
       const double stiffness = double(slots.row(slot.stiffness)[lane]);
       if (stiffness == 0.0 || other == own) continue;
       const double length = std::hypot(double(state.x()[other]) - double(state.x()[own]),

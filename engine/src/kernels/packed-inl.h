@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "kernels/spring-inl.h"
+#include "model/slots.h"
 #include "state.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,11 +20,17 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+template <class Real, class Offset>
+HWY_INLINE const Real* at_offset(const Real* packed, Offset offset) {
+  constexpr std::ptrdiff_t unit = std::ptrdiff_t(offset_bytes / sizeof(Real));
+  return packed + std::ptrdiff_t(offset) * unit;
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
-template <class D, class V = hn::Vec<D>, class Real = hn::TFromD<D>>
-HWY_INLINE Vector3<V> load_packed(D d, const Real* packed, const std::uint32_t* offsets) {
-  const Real* const p = packed + offsets[0];
+template <class D, class Offset, class V = hn::Vec<D>, class Real = hn::TFromD<D>>
+HWY_INLINE Vector3<V> load_packed(D d, const Real* packed, const Offset* offsets) {
+  const Real* const p = at_offset(packed, offsets[0]);
   return {hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2])};
 }
 
@@ -36,14 +43,14 @@ HWY_INLINE void store_packed(D d, V x, V y, V z, Real* packed) {
 
 #else
 
-/// A vector of 128-bit blocks, each loaded from its own place: block b from packed + offsets[b * stride].
-/// Three plain loads for each particle and a transpose in registers are faster than hardware gathers, which
-/// load every coordinate on its own.
-template <class D, class Real = hn::TFromD<D>>
-HWY_INLINE hn::Vec<D> load_blocks(D d, const Real* packed, const std::uint32_t* offsets, std::size_t stride) {
+/// A vector of 128-bit blocks, each loaded from its own place: block b from offsets[b * stride] behind
+/// packed. Three plain loads for each particle and a transpose in registers are faster than hardware gathers,
+/// which load every coordinate on its own.
+template <class D, class Offset, class Real = hn::TFromD<D>>
+HWY_INLINE hn::Vec<D> load_blocks(D d, const Real* packed, const Offset* offsets, std::size_t stride) {
   constexpr std::size_t in_block = 16 / sizeof(Real);
   if constexpr (hn::MaxLanes(D()) <= in_block) {
-    return hn::LoadU(d, packed + offsets[0]);
+    return hn::LoadU(d, at_offset(packed, offsets[0]));
   } else {
     const hn::Half<D> half;
     constexpr std::size_t blocks_in_half = hn::MaxLanes(hn::Half<D>()) / in_block;
@@ -52,9 +59,9 @@ HWY_INLINE hn::Vec<D> load_blocks(D d, const Real* packed, const std::uint32_t* 
   }
 }
 
-/// x, y and z of the particles whose vectors begin at packed + offsets[lane].
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Vector3<V> load_packed(D d, const hn::TFromD<D>* packed, const std::uint32_t* offsets) {
+/// x, y and z of the particles whose vectors begin offsets[lane] behind packed, in units of offset_bytes.
+template <class D, class Offset, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> load_packed(D d, const hn::TFromD<D>* packed, const Offset* offsets) {
   using Real = hn::TFromD<D>;
   if constexpr (sizeof(Real) == sizeof(double)) {
     // A block holds x, y or z, unused.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "model/row_store.h"
 
@@ -97,13 +98,13 @@ class SlotMaker {
       begin = end;
     }
     const auto first_indexed = std::uint32_t(lists.slots.size());
-    add_indexed(block);
+    add_indexed();
     list_of_block.push_back(lists.list(first_shift, first_indexed));
   }
 
   std::vector<std::uint32_t> list_of_block;
   ListStore<Real> lists;
-  std::vector<std::uint32_t> neighbours;
+  std::vector<std::int32_t> offsets;
   RowStore<Real> rows;
 
  private:
@@ -155,7 +156,7 @@ class SlotMaker {
 
   /// Indexed slots for what no shift slot took. Springs of one stiffness are kept together where that costs
   /// few slots more: then the row of stiffness is one value, which is stored once, and so is less to read.
-  void add_indexed(std::size_t block) {
+  void add_indexed() {
     const auto stiffness = [this](const HalfSpring& half) { return springs_.stiffness[half.spring]; };
     std::stable_sort(rest_.begin(), rest_.end(),
                      [](const auto& a, const auto& b) { return a.lane < b.lane; });
@@ -172,11 +173,11 @@ class SlotMaker {
       begin = end;
     }
     if (4 * slots_by_stiffness > 5 * depth(rest_.cbegin(), rest_.cend())) {
-      add_levels(block, rest_.cbegin(), rest_.cend(), false);
+      add_levels(rest_.cbegin(), rest_.cend(), false);
       return;
     }
     for (std::size_t g = 0; g + 1 < groups_.size(); ++g) {
-      add_levels(block, by_stiffness_.cbegin() + std::ptrdiff_t(groups_[g]),
+      add_levels(by_stiffness_.cbegin() + std::ptrdiff_t(groups_[g]),
                  by_stiffness_.cbegin() + std::ptrdiff_t(groups_[g + 1]), true);
     }
   }
@@ -202,24 +203,24 @@ class SlotMaker {
 
   /// Slots for half springs that are sorted by lane: each takes the next one of every lane. Where all have
   /// one stiffness, lanes without a spring get it too: their distance of zero makes the force zero.
-  void add_levels(std::size_t block, Iterator first, Iterator last, bool one_stiffness) {
+  void add_levels(Iterator first, Iterator last, bool one_stiffness) {
     const LaneBegins begin = lane_begins(first, last);
     const std::size_t levels = depth(first, last);
     for (std::size_t level = 0; level < levels; ++level) {
       Lanes lanes;
       lanes.fill(no_spring);
       typename Slots<Real>::Slot slot{};
-      slot.neighbours = std::uint32_t(neighbours.size() / block_size);
+      slot.neighbours = std::uint32_t(offsets.size() / block_size);
       for (std::size_t lane = 0; lane < block_size; ++lane) {
         // An empty lane is its own neighbour; past the last particle that is a padding particle, at rest at
         // zero.
-        std::int64_t neighbour = std::int64_t(block * block_size + lane);
+        std::int64_t neighbour = std::int64_t(lane);
         if (begin[lane] + level < begin[lane + 1]) {
           const HalfSpring& half = first[std::ptrdiff_t(begin[lane] + level)];
           neighbour += half.shift;
           lanes[lane] = half.spring;
         }
-        neighbours.push_back(std::uint32_t(neighbour) * packed_width);
+        offsets.push_back(std::int32_t(neighbour) * offsets_of_particle<Real>);
       }
       add_slot(slot, lanes, one_stiffness ? Real(springs_.stiffness[first->spring]) : Real(0));
     }
@@ -255,7 +256,7 @@ void append(Slots<Real>& whole, const SlotMaker<Real>& run) {
   const auto first_slot = std::uint32_t(whole.slots.size());
   const auto first_list = std::uint32_t(whole.lists.size());
   const auto first_row = std::uint32_t(whole.values.size() / block_size);
-  const auto first_neighbours = std::uint32_t(whole.neighbours.size() / block_size);
+  const auto first_neighbours = std::uint32_t(whole.long_offsets.size() / block_size);
   for (auto slot : run.lists.slots) {
     slot.stiffness += first_row;
     slot.half_pull += first_row;
@@ -269,25 +270,35 @@ void append(Slots<Real>& whole, const SlotMaker<Real>& run) {
       whole.slots[s].neighbours += first_neighbours;
   }
   for (std::uint32_t list : run.list_of_block) whole.list_of_block.push_back(first_list + list);
-  whole.neighbours.insert(whole.neighbours.end(), run.neighbours.begin(), run.neighbours.end());
+  whole.long_offsets.insert(whole.long_offsets.end(), run.offsets.begin(), run.offsets.end());
   whole.values.insert(whole.values.end(), run.rows.values.begin(), run.rows.values.end());
 }
 
 template <class Real>
 void reserve(Slots<Real>& whole, const std::vector<SlotMaker<Real>>& runs) {
-  std::size_t blocks = 0, lists = 0, slots = 0, neighbours = 0, values = 0;
+  std::size_t blocks = 0, lists = 0, slots = 0, offsets = 0, values = 0;
   for (const SlotMaker<Real>& run : runs) {
     blocks += run.list_of_block.size();
     lists += run.lists.lists.size();
     slots += run.lists.slots.size();
-    neighbours += run.neighbours.size();
+    offsets += run.offsets.size();
     values += run.rows.values.size();
   }
   whole.list_of_block.reserve(blocks);
   whole.lists.reserve(lists);
   whole.slots.reserve(slots);
-  whole.neighbours.reserve(neighbours);
+  whole.long_offsets.reserve(offsets);
   whole.values.reserve(values);
+}
+
+/// Halves the offsets where all are short enough: they are a third of what an irregular mesh reads.
+template <class Real>
+void shorten_offsets(Slots<Real>& slots) {
+  using Short = std::numeric_limits<std::int16_t>;
+  const auto fits = [](std::int32_t offset) { return offset >= Short::min() && offset <= Short::max(); };
+  if (!std::all_of(slots.long_offsets.begin(), slots.long_offsets.end(), fits)) return;
+  slots.short_offsets.assign(slots.long_offsets.begin(), slots.long_offsets.end());
+  slots.long_offsets = {};
 }
 
 template <class Real>
@@ -308,6 +319,7 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
   slots.damped = !springs.damping.empty();
   reserve(slots, runs);
   for (const SlotMaker<Real>& run : runs) append(slots, run);
+  shorten_offsets(slots);
   return slots;
 }
 
@@ -325,8 +337,9 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
 
 template <class Real>
 std::size_t Slots<Real>::bytes() const {
-  return (list_of_block.capacity() + neighbours.capacity()) * sizeof(std::uint32_t) +
-         lists.capacity() * sizeof(List) + slots.capacity() * sizeof(Slot) + values.capacity() * sizeof(Real);
+  return list_of_block.capacity() * sizeof(std::uint32_t) + short_offsets.capacity() * sizeof(std::int16_t) +
+         long_offsets.capacity() * sizeof(std::int32_t) + lists.capacity() * sizeof(List) +
+         slots.capacity() * sizeof(Slot) + values.capacity() * sizeof(Real);
 }
 
 template <class Real>

@@ -13,6 +13,14 @@
 
 namespace hooke {
 
+/// The unit of the offsets of indexed slots: the largest that processors multiply an index by while they
+/// load.
+inline constexpr std::size_t offset_bytes = 8;
+
+/// The offset from one particle's packed vector to the next one's.
+template <class Real>
+inline constexpr std::int32_t offsets_of_particle = std::int32_t(packed_width * sizeof(Real) / offset_bytes);
+
 /// The springs as each particle sees them, for gathering forces: for each block of 16 particles a list of
 /// slots, each with one neighbour and one spring for each lane. A spring is in two slots, once for each end.
 ///
@@ -28,7 +36,7 @@ struct Slots {
   struct Slot {
     union {
       std::int32_t shift;        ///< of a shift slot
-      std::uint32_t neighbours;  ///< of an indexed slot: its row in `neighbours`
+      std::uint32_t neighbours;  ///< of an indexed slot: its row of offsets
     };
     std::uint32_t stiffness, half_pull, quarter_damping;  ///< rows in `values`
   };
@@ -41,8 +49,10 @@ struct Slots {
   std::vector<std::uint32_t> list_of_block;
   std::vector<List> lists;
   std::vector<Slot> slots;
-  /// Rows of 16: where the neighbour's vector begins in the packed arrays, packed_width times its number.
-  AlignedVector<std::uint32_t> neighbours;
+  /// Rows of 16: how far behind the packed vector of the block's first particle the neighbour's begins, in
+  /// units of offset_bytes. Short where all fit, else long; the other is empty.
+  AlignedVector<std::int16_t> short_offsets;
+  AlignedVector<std::int32_t> long_offsets;
   /// Rows of 16: stiffness [N/m], half of stiffness times rest length [N], a quarter of damping [N s/m], as
   /// kernels/spring-inl.h wants them.
   AlignedVector<Real> values;
@@ -50,10 +60,13 @@ struct Slots {
 
   const List& list(std::size_t block) const { return lists[list_of_block[block]]; }
   const Real* row(std::uint32_t number) const { return values.data() + std::size_t(number) * block_size; }
-  const std::uint32_t* neighbour_row(std::uint32_t number) const {
-    return neighbours.data() + std::size_t(number) * block_size;
+  /// The particle behind a lane of an indexed slot of a block.
+  std::size_t neighbour(std::size_t block, const Slot& slot, std::size_t lane) const {
+    const std::size_t place = std::size_t(slot.neighbours) * block_size + lane;
+    const std::int64_t offset = long_offsets.empty() ? short_offsets[place] : long_offsets[place];
+    return std::size_t(std::int64_t(block * block_size) + offset / offsets_of_particle<Real>);
   }
-  bool any_indexed() const { return !neighbours.empty(); }
+  bool any_indexed() const { return !short_offsets.empty() || !long_offsets.empty(); }
   std::size_t bytes() const;
 };
 
