@@ -14,6 +14,7 @@ TEST_CASE("a plan is printed as an aligned table, then what it holds") {
   plan.model_bytes = 400;
   plan.order = "as given";
   plan.springs = "7 slots";
+  plan.tiles = "2 of 64";
   std::ostringstream out;
   print_plan(plan, 100, out);
   CHECK(out.str() ==
@@ -27,7 +28,8 @@ TEST_CASE("a plan is printed as an aligned table, then what it holds") {
         "model    400 bytes\n"
         "total    5000 bytes, 50.0 for each of 100 particles\n"
         "order    as given\n"
-        "springs  7 slots\n");
+        "springs  7 slots\n"
+        "tiles    2 of 64\n");
 }
 
 }  // namespace

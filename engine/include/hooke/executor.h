@@ -36,7 +36,8 @@ class Executor {
   virtual unsigned threads() const = 0;
 
   /// Calls `body` on ranges that together cover [0, count) once, each of at most about `grain` elements where
-  /// that helps, and returns when all are done. An exception from `body` must reach the caller.
+  /// that helps, and returns when all are done. An exception from `body` must reach the caller. A call of
+  /// `body` may wait for others that have begun, never for one that has not: any number of threads will do.
   virtual void parallel_for(std::size_t count, std::size_t grain, RangeFunction body) = 0;
 };
 

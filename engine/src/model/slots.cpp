@@ -298,7 +298,7 @@ void shorten_offsets(Slots<Real>& slots) {
   const auto fits = [](std::int32_t offset) { return offset >= Short::min() && offset <= Short::max(); };
   if (!std::all_of(slots.long_offsets.begin(), slots.long_offsets.end(), fits)) return;
   slots.short_offsets.assign(slots.long_offsets.begin(), slots.long_offsets.end());
-  slots.long_offsets = {};
+  AlignedVector<std::int32_t>().swap(slots.long_offsets);
 }
 
 template <class Real>

@@ -11,8 +11,9 @@ namespace {
 /// Fewer blocks than this take less than a microsecond: too short to be handed out.
 constexpr std::size_t least_tile_blocks = 16;
 
-/// More steps in a pass gain nothing: memory is already far from being what binds.
-constexpr std::size_t most_steps_in_pass = 16;
+/// More steps in a pass gain nothing: memory is already far from being what binds. Fewer do where even they do
+/// not fit, as then they still come from a cache further out.
+constexpr std::size_t least_steps_in_pass = 4, most_steps_in_pass = 16;
 
 }  // namespace
 
@@ -34,7 +35,7 @@ Tiles make_tiles(std::size_t blocks, std::size_t reach, std::size_t block_bytes)
   // for what else goes through it.
   const std::size_t cache = second_level_cache_bytes() / 4 * 3;
   const std::size_t tiles_in_cache = cache / (tiles.tile_blocks * block_bytes);
-  tiles.steps_in_pass = std::clamp<std::size_t>(tiles_in_cache, 2, most_steps_in_pass + 1) - 1;
+  tiles.steps_in_pass = std::clamp(tiles_in_cache, least_steps_in_pass + 1, most_steps_in_pass + 1) - 1;
   return tiles;
 }
 
