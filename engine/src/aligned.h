@@ -35,13 +35,11 @@ struct AlignedAllocator {
 
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    void* const pointer = ::operator new (bytes, alignment(bytes));
+    void* const pointer = ::operator new(bytes, alignment(bytes));
     if (bytes >= huge_page) advise_huge_pages(pointer, bytes);
     return static_cast<T*>(pointer);
   }
-  void deallocate(T* pointer, std::size_t count) {
-    ::operator delete (pointer, alignment(count * sizeof(T)));
-  }
+  void deallocate(T* pointer, std::size_t count) { ::operator delete(pointer, alignment(count * sizeof(T))); }
 
   bool operator==(const AlignedAllocator&) const { return true; }
 

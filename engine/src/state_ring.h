@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "state.h"
@@ -14,7 +15,11 @@ namespace hooke {
 template <class Real>
 class StateRing {
  public:
-  StateRing(const State<Real>& start, std::size_t states) : states_(states, start) {}
+  StateRing(State<Real> start, std::size_t states) {
+    states_.reserve(states);
+    states_.push_back(std::move(start));
+    while (states_.size() < states) states_.push_back(states_.front());
+  }
 
   State<Real>& now() { return states_[now_]; }
   const State<Real>& now() const { return states_[now_]; }

@@ -47,7 +47,7 @@ TEST_CASE("an effect that is not named holds no bytes and adds no sweep") {
   };
   const auto gravity = of(b, "gravity");
   REQUIRE(gravity != b.plan().stages.end());
-  CHECK(gravity->bytes >= 900 * sizeof(float));
+  CHECK(gravity->bytes > 0);
   CHECK(b.plan().bytes() - a.plan().bytes() == gravity->bytes);
   for (const Stage& stage : b.plan().stages) CHECK(stage.sweep == "particles");
 }

@@ -41,9 +41,12 @@ HWY_INLINE Vector3<hn::Vec<D>> load3(D d, const hn::TFromD<D>* x, const hn::TFro
 }
 
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+#define HOOKE_ESTIMATES_DOUBLE_ROOTS 1
 HWY_INLINE hn::Vec512<double> estimate_reciprocal_root(hn::Vec512<double> a) {
   return hn::Vec512<double>{_mm512_rsqrt14_pd(a.raw)};
 }
+#else
+#define HOOKE_ESTIMATES_DOUBLE_ROOTS 0
 #endif
 
 /// 2 / sqrt(a) for a > 0 as a product of two factors, as callers fuse the product with what they do next.
@@ -63,16 +66,18 @@ HWY_INLINE TwiceReciprocalRoot<V> newton(D d, V a, V y) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE TwiceReciprocalRoot<V> twice_reciprocal_root(D d, V a) {
   using Real = hn::TFromD<D>;
-  if constexpr (sizeof(Real) == sizeof(float)) {
+  // Other processors' estimates have 8 bits: one of Newton's steps is not enough for them.
+  constexpr bool estimates_float = HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128;
+  if constexpr (sizeof(Real) == sizeof(float) && estimates_float) {
     return newton(d, a, hn::ApproximateReciprocalSqrt(a));
-  } else {
-#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3
+  } else if constexpr (sizeof(Real) == sizeof(double) && HOOKE_ESTIMATES_DOUBLE_ROOTS) {
+#if HOOKE_ESTIMATES_DOUBLE_ROOTS
     // Two of Newton's steps take a third of the time of a root and a division there.
     const TwiceReciprocalRoot<V> first = newton(d, a, estimate_reciprocal_root(a));
     return newton(d, a, hn::Mul(hn::Mul(hn::Set(d, Real(0.5)), first.estimate), first.correction));
-#else
-    return {hn::Div(hn::Set(d, Real(1)), hn::Sqrt(a)), hn::Set(d, Real(2))};
 #endif
+  } else {
+    return {hn::Div(hn::Set(d, Real(1)), hn::Sqrt(a)), hn::Set(d, Real(2))};
   }
 }
 
@@ -112,4 +117,5 @@ HWY_INLINE V spring_factor(D d, const Vector3<V>& apart, const Vector3<V>& veloc
 }  // namespace hooke
 HWY_AFTER_NAMESPACE();
 
+#undef HOOKE_ESTIMATES_DOUBLE_ROOTS
 #endif
