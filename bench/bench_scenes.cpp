@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "jittered_mesh.h"
 #include "scene_file/mesh_file.h"
 
 namespace hooke::bench {
@@ -31,6 +33,17 @@ BenchScene finished(std::string name, Scene scene) {
   return {std::move(name), std::move(scene), step};
 }
 
+BenchScene hung_by_edge(const std::string& name, TriangleMesh mesh, const Vec3& direction) {
+  ClothMesh cloth{.stretch = 100.0, .bend = 1.0};
+  cloth.vertices = std::move(mesh.vertices);
+  cloth.triangles = std::move(mesh.triangles);
+  Scene scene;
+  const MeshParticles particles = add(scene, cloth);
+  for (Index particle : furthest_along(scene, particles.first, particles.count, direction, 0.02))
+    scene.pin(particle);
+  return finished(name, std::move(scene));
+}
+
 }  // namespace
 
 BenchScene cloth(Index n) {
@@ -49,15 +62,11 @@ BenchScene cloth(Index n) {
 
 BenchScene mesh_cloth(const std::string& name, const std::string& file) {
   const MeshFile mesh = read_mesh_file(file, 10'000'000);
-  ClothMesh cloth{.stretch = 100.0, .bend = 1.0};
-  cloth.vertices = mesh.vertices;
-  cloth.triangles = mesh.triangles;
-  Scene scene;
-  const MeshParticles particles = add(scene, cloth);
-  for (Index particle : furthest_along(scene, particles.first, particles.count, Vec3(0, 0, -1), 0.02)) {
-    scene.pin(particle);
-  }
-  return finished(name, std::move(scene));
+  return hung_by_edge(name, {mesh.vertices, mesh.triangles}, Vec3(0, 0, -1));
+}
+
+BenchScene jittered_cloth(const std::string& name, Index columns, Index rows) {
+  return hung_by_edge(name, jittered_mesh(columns, rows), Vec3(0, 1, 0));
 }
 
 }  // namespace hooke::bench

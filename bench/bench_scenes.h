@@ -20,4 +20,7 @@ BenchScene cloth(Index n);
 /// A cloth from a mesh file, hung by the 2 cm furthest along -z, likewise.
 BenchScene mesh_cloth(const std::string& name, const std::string& file);
 
+/// A cloth from the jittered mesh of columns x rows vertices, hung by its highest 2 cm, likewise.
+BenchScene jittered_cloth(const std::string& name, Index columns, Index rows);
+
 }  // namespace hooke::bench

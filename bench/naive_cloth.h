@@ -12,6 +12,8 @@ namespace hooke::bench {
 class NaiveCloth {
  public:
   NaiveCloth(const Scene& scene, double step) : step_(step) {
+    particles_.reserve(scene.particles.size());
+    springs_.reserve(scene.springs.size());
     for (std::size_t i = 0; i < scene.particles.size(); ++i) {
       particles_.push_back({scene.particles.position[i], scene.particles.velocity_of(i), Vec3::Zero(),
                             scene.particles.mass[i], false});

@@ -4,47 +4,26 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <memory>
 
 #include "bench_scenes.h"
 #include "naive_cloth.h"
+#include "reference_check.h"
 
 namespace hooke::bench {
 namespace {
 
-constexpr int checked_steps = 10, steps_at_once = 4;
+constexpr int steps_at_once = 4;
 
-/// A scene and where its particles are after `checked_steps` steps of the reference.
+/// A scene and how the engine's run of it is checked.
 struct Case {
   BenchScene bench;
-  std::vector<Vec3> expected;
+  ReferenceCheck check;
 
-  explicit Case(BenchScene given) : bench(std::move(given)) {
-    NaiveCloth reference(bench.scene, bench.step);
-    for (int i = 0; i < checked_steps; ++i) reference.step();
-    for (std::size_t i = 0; i < reference.particles(); ++i) expected.push_back(reference.position(i));
-  }
+  explicit Case(BenchScene given) : bench(std::move(given)), check(bench) {}
 };
-
-/// The largest distance [m] of a particle from where the reference has it.
-template <class Real>
-double distance_to_reference(const Case& timed, const Simulation<Real>& simulation) {
-  std::vector<double> positions(3 * simulation.particle_count());
-  simulation.copy_positions(positions.data(), 3 * sizeof(double));
-  double worst = 0.0;
-  for (std::size_t i = 0; i < timed.expected.size(); ++i) {
-    worst = std::max(worst, (Eigen::Map<const Vec3>(&positions[3 * i]) - timed.expected[i]).norm());
-  }
-  return worst;
-}
-
-/// The size of the scene is 1 m: round-off of a position, for each checked step.
-template <class Real>
-constexpr double tolerance = 4.0 * checked_steps* double(std::numeric_limits<Real>::epsilon());
 
 void count_springs(benchmark::State& state, std::size_t springs) {
   const double updates = double(state.iterations()) * steps_at_once * double(springs);
@@ -55,20 +34,15 @@ template <class Real>
 void time_engine(benchmark::State& state, const Case& timed, Accumulation accumulation, unsigned threads) {
   Simulation<Real> simulation(timed.bench.scene,
                               {.step = timed.bench.step, .accumulation = accumulation, .threads = threads});
-  simulation.step(checked_steps);
-  const double distance = distance_to_reference(timed, simulation);
-  if (!(distance <= tolerance<Real>)) {
+  const double distance = timed.check.distance(simulation);
+  if (!(distance <= ReferenceCheck::tolerance<Real>)) {
     state.SkipWithError(("differs from the reference by " + std::to_string(distance) + " m").c_str());
     return;
   }
   const double energy_before = simulation.energy().total();
   for (auto _ : state) benchmark::DoNotOptimize(simulation.step(steps_at_once));
-  // Without work from outside, with drag, the energy can only fall; symplectic Euler lets it swing a little.
-  const Energy energy = simulation.energy();
-  if (!simulation.step().ok() ||
-      !(energy.total() <= energy_before + 0.01 * (energy.kinetic + energy.elastic))) {
+  if (!stayed_good(simulation, simulation.step(), energy_before))
     state.SkipWithError("the run did not stay good");
-  }
   count_springs(state, timed.bench.scene.springs.size());
 }
 
