@@ -1,6 +1,7 @@
 #include "reference_check.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -34,7 +35,10 @@ std::vector<Vec3> disturbed_positions(const Scene& scene) {
 
 }  // namespace
 
-ReferenceCheck::ReferenceCheck(BenchScene& bench) : start_(disturbed_positions(bench.scene)) {
+ReferenceCheck::ReferenceCheck(BenchScene& bench)
+    : start_(disturbed_positions(bench.scene)),
+      stiffness_sum_(
+          std::accumulate(bench.scene.springs.stiffness.begin(), bench.scene.springs.stiffness.end(), 0.0)) {
   bench.scene.particles.position.swap(start_);
   NaiveCloth reference(bench.scene, bench.step);
   bench.scene.particles.position.swap(start_);

@@ -41,7 +41,7 @@ void time_engine(benchmark::State& state, const Case& timed, Accumulation accumu
   }
   const double energy_before = simulation.energy().total();
   for (auto _ : state) benchmark::DoNotOptimize(simulation.step(steps_at_once));
-  if (!stayed_good(simulation, simulation.step(), energy_before))
+  if (!timed.check.stayed_good(simulation, simulation.step(), energy_before))
     state.SkipWithError("the run did not stay good");
   count_springs(state, timed.bench.scene.springs.size());
 }

@@ -33,13 +33,16 @@ double sum_floats(const float* HWY_RESTRICT values, std::size_t count) {
 }
 
 /// Twelve chains: two units of a latency of four or five cycles want eight to ten, and sixteen registers hold
-/// them. Values tend to 1, so none is subnormal.
+/// them. Each starts elsewhere, as the compiler would make one chain of equal ones. Values tend to 1, so none
+/// is subnormal.
 template <class Real>
 MultiplyAdds multiply_add(std::size_t rounds) {
   const hn::ScalableTag<Real> d;
   const auto half = hn::Set(d, Real(0.5));
-  auto x0 = hn::Set(d, Real(2)), x1 = x0, x2 = x0, x3 = x0, x4 = x0, x5 = x0;
-  auto x6 = x0, x7 = x0, x8 = x0, x9 = x0, x10 = x0, x11 = x0;
+  const auto start = [&](int chain) { return hn::Set(d, Real(2 + chain)); };
+  auto x0 = start(0), x1 = start(1), x2 = start(2), x3 = start(3);
+  auto x4 = start(4), x5 = start(5), x6 = start(6), x7 = start(7);
+  auto x8 = start(8), x9 = start(9), x10 = start(10), x11 = start(11);
   for (std::size_t i = 0; i < rounds; ++i) {
     x0 = hn::MulAdd(x0, half, half);
     x1 = hn::MulAdd(x1, half, half);

@@ -20,7 +20,7 @@ std::variant<Simulation<float>, Simulation<double>> compile(const BenchScene& be
 
 TimedRun::TimedRun(const BenchScene& bench, const ReferenceCheck& check, const Configuration& configuration,
                    double seconds)
-    : configuration_(configuration), simulation_(compile(bench, configuration)) {
+    : check_(check), configuration_(configuration), simulation_(compile(bench, configuration)) {
   std::visit(
       [&](auto& simulation) {
         cost_ = step_cost(simulation);
@@ -57,7 +57,9 @@ void TimedRun::repeat() {
   if (steps_ > 1) seconds_of((steps_ + 9) / 10);
   seconds_per_step_.push_back(seconds_of(steps_) / double(steps_));
   std::visit(
-      [&](auto& simulation) { good_ = good_ && stayed_good(simulation, simulation.step(), energy_before_); },
+      [&](auto& simulation) {
+        good_ = good_ && check_.stayed_good(simulation, simulation.step(), energy_before_);
+      },
       simulation_);
 }
 

@@ -22,7 +22,8 @@ struct Configuration {
 /// A scene, compiled for one configuration and timed again and again.
 class TimedRun {
  public:
-  /// Compiles the scene, checks the run against the reference, and finds how many steps fill `seconds` [s].
+  /// Compiles the scene, checks the run against the reference, which must outlive it, and finds how many
+  /// steps fill `seconds` [s].
   TimedRun(const BenchScene& bench, const ReferenceCheck& check, const Configuration& configuration,
            double seconds);
 
@@ -42,6 +43,7 @@ class TimedRun {
   double seconds_of(std::uint64_t steps);
   void fill_repetition(double seconds);
 
+  const ReferenceCheck& check_;
   Configuration configuration_;
   std::variant<Simulation<float>, Simulation<double>> simulation_;
   StepCost cost_;

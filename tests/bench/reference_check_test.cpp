@@ -51,13 +51,22 @@ TEST_CASE("the check passes good runs and sees one lost spring, or another step,
 
 TEST_CASE("a run that gained energy, or went bad, did not stay good") {
   BenchScene scene = bench::cloth(16);
+  const ReferenceCheck check(scene);
   auto simulation = simulation_of<double>(scene);
   const double energy = simulation.energy().total();
-  CHECK(bench::stayed_good(simulation, simulation.step(100), energy));
-  CHECK_FALSE(bench::stayed_good(simulation, simulation.step(), energy - 1.0));
+  CHECK(check.stayed_good(simulation, simulation.step(100), energy));
+  CHECK_FALSE(check.stayed_good(simulation, simulation.step(), energy - 1e-3));
 
   scene.step *= 100.0;
   auto unstable = simulation_of<double>(scene);
   const double before = unstable.energy().total();
-  CHECK_FALSE(bench::stayed_good(unstable, unstable.step(100'000), before));
+  CHECK_FALSE(check.stayed_good(unstable, unstable.step(100'000), before));
+}
+
+TEST_CASE("round-off of a fine irregular mesh, in its first steps from rest, is not taken for a fault") {
+  BenchScene scene = bench::jittered_cloth("jittered", 400, 250);
+  const ReferenceCheck check(scene);
+  auto simulation = simulation_of<float>(scene);
+  const double energy = simulation.energy().total();
+  for (int i = 0; i < 20; ++i) CHECK(check.stayed_good(simulation, simulation.step(), energy));
 }
