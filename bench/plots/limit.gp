@@ -7,5 +7,5 @@ set logscale x 2
 set yrange [0:*]
 is_wanted(i) = is_cloth(strcol("mesh")) && column("threads") == most_threads && \
                is_series(i, strcol("mode"), strcol("precision"))
-plot for [i = 1:6] csv using (is_wanted(i) ? sqrt(column("particles")) : NaN):(100 * column("share_of_limit")) \
-     with linespoints linestyle i title name_of(i)
+plot for [s in series] csv using (is_wanted(int(s)) ? sqrt(column("particles")) : NaN):(100 * column("share_of_limit")) \
+     with linespoints linestyle int(s) title name_of(int(s))

@@ -10,5 +10,5 @@ set logscale y 10
 side(particles) = sqrt(particles)
 is_wanted(i) = is_cloth(strcol("mesh")) && column("threads") == threads && \
                is_series(i, strcol("mode"), strcol("precision"))
-plot for [i = 1:6] csv using (is_wanted(i) ? side(column("particles")) : NaN):(column("springs_per_second") / 1e6) \
-     with linespoints linestyle i title name_of(i)
+plot for [s in series] csv using (is_wanted(int(s)) ? side(column("particles")) : NaN):(column("springs_per_second") / 1e6) \
+     with linespoints linestyle int(s) title name_of(int(s))

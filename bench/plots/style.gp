@@ -3,10 +3,11 @@ set terminal pngcairo size 1000,620 font "sans,12" background "white"
 set output png
 set datafile separator ","
 set datafile missing "NaN"
-set grid linecolor rgb "#dddddd"
+set grid back linetype 1 linecolor rgb "#d8d8d8" linewidth 0.7
+set offsets graph 0.03, graph 0.03, 0, 0
 set border 3
 set tics nomirror
-set key outside right center vertical samplen 2 width 1
+set key outside right center vertical samplen 4 width 1
 
 # One colour for each mode, full lines and points for float, hollow ones and dashes for double.
 set style line 1 linecolor rgb "#1b6ca8" linewidth 2 pointtype 7 pointsize 1.1
@@ -20,6 +21,11 @@ precisions = "float double"
 mode_of(i) = word(modes, (i + 1) / 2)
 precision_of(i) = word(precisions, 1 + (i + 1) % 2)
 name_of(i) = mode_of(i) . ", " . precision_of(i)
+
+# The series that the file has rows of.
+rows_of(i) = int(system(sprintf("grep -c ',%s,[0-9]*,%s,' '%s' || true", mode_of(i), precision_of(i), csv)))
+series = ""
+do for [i = 1:6] { if (rows_of(i) > 0) { series = series . sprintf(" %d", i) } }
 
 # Whether a row is of the square cloths, and of series i.
 is_cloth(mesh) = mesh[1:6] eq "cloth_"

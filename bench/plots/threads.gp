@@ -5,9 +5,9 @@ largest = PARTICLES_max
 is_wanted(i) = is_cloth(strcol("mesh")) && column("particles") == largest && \
                is_series(i, strcol("mode"), strcol("precision"))
 array one_thread[6]
-do for [i = 1:6] {
-  stats csv using (is_wanted(i) && column("threads") == 1 ? column("springs_per_second") : NaN) name "ONE" nooutput
-  one_thread[i] = ONE_max
+do for [s in series] {
+  stats csv using (is_wanted(int(s)) && column("threads") == 1 ? column("springs_per_second") : NaN) name "ONE" nooutput
+  one_thread[int(s)] = ONE_max
 }
 set title sprintf("Cloth of %.0f x %.0f particles: how many times as fast as one thread", sqrt(largest), sqrt(largest))
 set xlabel "threads"
@@ -16,5 +16,5 @@ set logscale xy 2
 set xrange [0.9:1.1 * most_threads]
 set yrange [0.7:1.2 * most_threads]
 plot x with lines linecolor rgb "#999999" dashtype 3 title "ideal", \
-     for [i = 1:6] csv using (is_wanted(i) ? column("threads") : NaN):(column("springs_per_second") / one_thread[i]) \
-     with linespoints linestyle i title name_of(i)
+     for [s in series] csv using (is_wanted(int(s)) ? column("threads") : NaN):(column("springs_per_second") / one_thread[int(s)]) \
+     with linespoints linestyle int(s) title name_of(int(s))
