@@ -59,7 +59,7 @@ void write_csv(const Row& row, std::ostream& out) {
 std::string in_words(const Row& row) {
   char line[256];
   std::snprintf(line, sizeof line,
-                "%-13s %-9s %-7s %3u threads %8.1f M springs/s %5.1f %% of the limit (%s)%s",
+                "%-13s %-9s %-7s threads:%-3u %8.1f M springs/s %5.1f %% of the limit (%s)%s",
                 row.mesh.c_str(), std::string(to_string(row.configuration.mode)).c_str(),
                 std::string(program::name_of(row.configuration.precision)).c_str(), row.configuration.threads,
                 1e-6 * row.springs_per_second(), 100.0 * row.share_of_limit(),

@@ -31,7 +31,7 @@ hooke_warnings(hooke_scaling)
 if(HOOKE_BUILD_TESTS)
   set(scaling_csv ${PROJECT_BINARY_DIR}/scaling.csv)
   add_test(NAME hooke_scaling COMMAND hooke_scaling --quick --csv ${scaling_csv})
-  set_tests_properties(hooke_scaling PROPERTIES FIXTURES_SETUP scaling_csv)
+  set_tests_properties(hooke_scaling PROPERTIES FIXTURES_SETUP scaling_csv RUN_SERIAL ON)
   find_package(Python3 COMPONENTS Interpreter)
   if(Python3_FOUND)
     add_test(NAME hooke_scaling_csv
