@@ -1,0 +1,60 @@
+#include "lammps_peers.h"
+
+#include <memory>
+
+#include "checked_scene.h"
+#include "hooke_peers.h"
+#include "moving_network.h"
+
+namespace hooke::bench {
+namespace {
+
+/// The largest distance of any particle from where it should be, against the largest that one has moved.
+constexpr double tolerance = 1e-10;
+
+/// What is run, and where velocity Verlet has it after the checked steps.
+struct CheckedNetwork {
+  Scene network;
+  std::vector<Vec3> expected;
+  LammpsNetwork lammps;
+
+  CheckedNetwork(const LammpsPrograms& programs, const BenchScene& bench)
+      : network(moving_network(bench.scene, bench.step)),
+        expected(velocity_verlet(network, bench.step, checked_steps)),
+        lammps(programs, network, bench.step) {}
+
+  void require_same(const std::string& who, const std::vector<Vec3>& positions) const {
+    const double error = largest_distance(positions, expected);
+    const double moved = largest_distance(network.particles.position, expected);
+    if (!(error <= tolerance * moved)) {
+      throw std::runtime_error(who + " is " + std::to_string(error / moved) +
+                               " of the largest way from velocity Verlet's positions");
+    }
+  }
+};
+
+Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_t steps) {
+  const LammpsNetwork::Run run = checked.lammps.run(processes, checked_steps, steps);
+  checked.require_same("LAMMPS", run.positions);
+  if (!(std::abs(run.energy_change) <= 0.05))
+    throw std::runtime_error("LAMMPS changed the energy by " + std::to_string(100.0 * run.energy_change) +
+                             " %");
+  return {run.seconds, double(steps) * double(checked.network.springs.size())};
+}
+
+}  // namespace
+
+std::vector<Peer> lammps_peers(const LammpsPrograms& programs, const BenchScene& bench) {
+  const auto checked = std::make_shared<const CheckedNetwork>(programs, bench);
+  Simulation<double> engine(half_kick_earlier(checked->network, bench.step), {.step = bench.step});
+  engine.step(checked_steps);
+  checked->require_same("the engine", positions_of(engine));
+  std::vector<Peer> peers;
+  for (unsigned processes : {1u, 2u}) {
+    peers.push_back({"lammps", "double", processes, "positions, energy",
+                     [=](std::uint64_t steps) { return timed_run(*checked, processes, steps); }});
+  }
+  return peers;
+}
+
+}  // namespace hooke::bench

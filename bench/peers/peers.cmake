@@ -1,0 +1,40 @@
+# Hooke beside other programs that move springs. Bullet and LAMMPS are optional: what is not installed is left out, and
+# both CMake and the programs say so.
+find_package(Bullet QUIET)
+find_program(HOOKE_LMP NAMES lmp DOC "LAMMPS, for bench_peers")
+find_program(HOOKE_MPIRUN NAMES mpirun DOC "Starts LAMMPS on several processes, for bench_peers")
+mark_as_advanced(HOOKE_LMP HOOKE_MPIRUN)
+
+# hooke_peer_program(TARGET SOURCES...): with Bullet where there is one.
+function(hooke_peer_program target)
+  add_executable(${target} bench_scenes.cpp ${ARGN})
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/engine/src)
+  target_link_libraries(${target} PRIVATE hooke::hooke hooke_scene_file CLI11::CLI11)
+  hooke_warnings(${target})
+  # The engine's own flags, so that no peer is slower for want of them.
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math $<$<CONFIG:Release>:-O3>)
+  if(BULLET_FOUND)
+    target_sources(${target} PRIVATE peers/bullet_cloth.cpp)
+    target_include_directories(${target} SYSTEM PRIVATE ${BULLET_INCLUDE_DIRS})
+    target_link_libraries(${target} PRIVATE ${BULLET_LIBRARIES})
+    target_compile_definitions(${target} PRIVATE HOOKE_BULLET)
+  endif()
+endfunction()
+
+hooke_peer_program(bench_peers peers/peers.cpp peers/serial_peers.cpp peers/hooke_peers.cpp)
+target_compile_definitions(bench_peers PRIVATE HOOKE_MESHES="${HOOKE_MESHES}")
+if(BULLET_FOUND)
+  target_sources(bench_peers PRIVATE peers/bullet_peer.cpp)
+else()
+  message(STATUS "Bullet not found: the benchmarks leave it out (Debian: libbullet-dev)")
+endif()
+if(HOOKE_LMP AND HOOKE_MPIRUN)
+  target_sources(bench_peers PRIVATE peers/lammps_network.cpp peers/lammps_peers.cpp peers/moving_network.cpp)
+  target_compile_definitions(bench_peers PRIVATE HOOKE_LMP="${HOOKE_LMP}" HOOKE_MPIRUN="${HOOKE_MPIRUN}")
+else()
+  message(STATUS "LAMMPS or mpirun not found: bench_peers leaves it out (Debian: lammps)")
+endif()
+
+if(HOOKE_BUILD_TESTS)
+  add_test(NAME bench_peers COMMAND bench_peers --quick)
+endif()
