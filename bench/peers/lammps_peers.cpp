@@ -1,6 +1,7 @@
 #include "lammps_peers.h"
 
 #include <memory>
+#include <stdexcept>
 
 #include "checked_scene.h"
 #include "hooke_peers.h"

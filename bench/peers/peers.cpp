@@ -54,10 +54,20 @@ std::vector<Peer> peers_of(const BenchScene& bench) {
   return peers;
 }
 
+/// Runs a peer; what goes wrong is told with its name.
+Timing checked_run(const Peer& peer, std::uint64_t steps) {
+  try {
+    return peer.run(steps);
+  } catch (const std::exception& fault) {
+    throw std::runtime_error(peer.name + ", " + peer.precision +
+                             ", threads: " + std::to_string(peer.threads) + ": " + fault.what());
+  }
+}
+
 /// How many steps take `seconds` [s], from one short run.
 std::uint64_t steps_for(const Peer& peer, double seconds) {
   constexpr std::uint64_t tried = 4;
-  return std::max<std::uint64_t>(tried, std::uint64_t(seconds * tried / peer.run(tried).seconds));
+  return std::max<std::uint64_t>(tried, std::uint64_t(seconds * tried / checked_run(peer, tried).seconds));
 }
 
 /// Every peer's runs in random order, so that what else the machine does meets all alike.
@@ -71,7 +81,7 @@ std::vector<Row> race(const std::vector<Peer>& peers, const Options& options, st
     order.insert(order.end(), std::size_t(options.repetitions), rows.size() - 1);
   }
   std::shuffle(order.begin(), order.end(), random);
-  for (std::size_t turn : order) rows[turn].rates.push_back(rows[turn].peer.run(steps[turn]).rate());
+  for (std::size_t turn : order) rows[turn].rates.push_back(checked_run(rows[turn].peer, steps[turn]).rate());
   return rows;
 }
 
