@@ -3,6 +3,9 @@
 // else the machine does meets all alike.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -125,7 +128,7 @@ std::vector<Contender> contenders(Index particles_a_side) {
     result.push_back(bullet_contender(particles_a_side, 1, iterations));
   }
   result.push_back(bullet_contender(particles_a_side, 4, 10));
-  result.push_back(bullet_contender(particles_a_side, 20, 1));
+  result.push_back(bullet_contender(particles_a_side, 8, 10));
 #else
   std::cerr << "skipped: Bullet, which was not found when this was configured (Debian: libbullet-dev)\n";
 #endif

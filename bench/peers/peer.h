@@ -18,7 +18,7 @@ struct Peer {
   std::string name, precision;
   unsigned threads = 1;
   std::string check;  ///< what each of its runs is checked for
-  /// Starts afresh, checks itself, and takes `steps` timed steps. Throws std::runtime_error where a check
+  /// Takes `steps` timed steps, and checks them. Throws std::runtime_error where a check
   /// fails.
   std::function<Timing(std::uint64_t steps)> run;
 };
