@@ -10,8 +10,7 @@ namespace {
 constexpr int iterations = 10;
 constexpr double step = 1.0 / 60.0;
 
-/// One soft body for all runs, each of which goes on where the last one ended: making one of a million nodes
-/// takes Bullet a minute.
+/// One soft body for all runs, each of which goes on where the last one ended.
 class FallingCloth {
  public:
   explicit FallingCloth(const Scene& network)

@@ -110,7 +110,7 @@ Contender hooke_contender(Index particles_a_side, unsigned substeps, unsigned th
 Contender bullet_contender(Index particles_a_side, unsigned substeps, int iterations) {
   HungSheet sheet = hung_sheet(particles_a_side, frame_seconds);  // of its springs only the lengths are used
   auto moved = std::make_unique<BulletSheet>(sheet, substeps, iterations);
-  std::string setting = std::to_string(iterations) + (iterations == 1 ? " iteration" : " iterations");
+  std::string setting = std::to_string(iterations) + " iterations";
   if (substeps > 1) setting = std::to_string(substeps) + " substeps of " + setting;
   return {"bullet", setting, 1, 0.0, frame_seconds / substeps, std::move(sheet), std::move(moved)};
 }

@@ -15,14 +15,13 @@ set ylabel "99th percentile of |l - l0| / l0, structural and shear springs [%]"
 set grid
 set offsets graph 0.05, graph 0.3, graph 0.08, graph 0.05
 set key top right
-of(engine) = strcol(1) eq engine ? column("strain_percentile_99") * 100 : NaN
-single() = strcol(3) eq "1"
-label() = strcol(2).", ".strcol(3).(single() ? " thread" : " threads")
+of(engine) = strcol("engine") eq engine ? column("strain_percentile_99") * 100 : NaN
+label(setting, threads) = setting.", ".threads.(threads eq "1" ? " thread" : " threads")
 plot figures using "ms_per_frame":(of("hooke")) title "Hooke" with points pt 7 ps 1.6 lc rgb "#0060ad", \
-     "" using "ms_per_frame":(single() ? NaN : of("hooke")):(label()) notitle with labels left offset 1, 0.4, \
-     "" using "ms_per_frame":(single() ? of("hooke") : NaN):(label()) notitle with labels left offset 1, -0.6, \
+     "" using "ms_per_frame":(strcol("threads") eq "1" ? NaN : of("hooke")):(label(strcol("setting"), strcol("threads"))) notitle with labels left offset 1, 0.4, \
+     "" using "ms_per_frame":(strcol("threads") eq "1" ? of("hooke") : NaN):(label(strcol("setting"), strcol("threads"))) notitle with labels left offset 1, -0.6, \
      figures using "ms_per_frame":(of("bullet")) title "Bullet" with points pt 5 ps 1.6 lc rgb "#c04000", \
-     "" using "ms_per_frame":(of("bullet")):(label()) notitle with labels left offset 1, 0.4
+     "" using "ms_per_frame":(of("bullet")):(label(strcol("setting"), strcol("threads"))) notitle with labels left offset 1, 0.4
 
 # Gravity is along +z, so -z is up. A line for every fourth row and column of particles.
 reset
