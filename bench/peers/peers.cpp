@@ -49,7 +49,7 @@ std::vector<Peer> peers_of(const BenchScene& bench) {
   peers.push_back(bullet_peer(scene));
 #endif
 #ifdef HOOKE_LMP
-  for (const Peer& peer : lammps_peers({HOOKE_LMP, HOOKE_MPIRUN}, bench)) peers.push_back(peer);
+  for (const Peer& peer : lammps_peers({HOOKE_LMP, HOOKE_MPIRUN}, *scene)) peers.push_back(peer);
 #endif
   return peers;
 }

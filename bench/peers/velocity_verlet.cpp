@@ -1,8 +1,4 @@
-#include "moving_network.h"
-
-#include <cmath>
-#include <numbers>
-#include <numeric>
+#include "velocity_verlet.h"
 
 namespace hooke::bench {
 namespace {
@@ -25,22 +21,6 @@ std::vector<Vec3> accelerations(const Scene& network, const std::vector<Vec3>& p
 
 }  // namespace
 
-Scene moving_network(const Scene& scene, double step) {
-  Scene network = scene;
-  network.effects.clear();
-  const std::vector<double>& lengths = network.springs.rest_length;
-  const double length = std::accumulate(lengths.begin(), lengths.end(), 0.0) / double(lengths.size());
-  const double speed = 0.005 * length / step, wave_number = 2.0 * std::numbers::pi / (16.0 * length);
-  network.particles.velocity.clear();
-  for (const Vec3& position : network.particles.position) {
-    const double a = wave_number * position.dot(Vec3(1.0, 0.4, 0.7));
-    const double b = wave_number * position.dot(Vec3(-0.3, 1.0, 0.8));
-    network.particles.velocity.push_back(speed * Vec3(std::sin(a), std::cos(b), std::sin(a + b)));
-  }
-  for (const Pin& pin : network.pins) network.particles.velocity[pin.particle].setZero();
-  return network;
-}
-
 std::vector<Vec3> velocity_verlet(const Scene& network, double step, int steps) {
   std::vector<Vec3> positions = network.particles.position, velocities = network.particles.velocity;
   std::vector<Vec3> before = accelerations(network, positions);
@@ -52,13 +32,6 @@ std::vector<Vec3> velocity_verlet(const Scene& network, double step, int steps) 
     before = after;
   }
   return positions;
-}
-
-Scene half_kick_earlier(const Scene& network, double step) {
-  Scene earlier = network;
-  const std::vector<Vec3> start = accelerations(network, network.particles.position);
-  for (std::size_t i = 0; i < start.size(); ++i) earlier.particles.velocity[i] -= 0.5 * step * start[i];
-  return earlier;
 }
 
 }  // namespace hooke::bench
