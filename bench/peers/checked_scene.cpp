@@ -7,6 +7,7 @@
 #include <string>
 
 #include "naive_cloth.h"
+#include "scene/number_text.h"
 
 namespace hooke::bench {
 namespace {
@@ -81,7 +82,7 @@ double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) 
 void require_near(const std::vector<Vec3>& positions, const CheckedScene& scene, double tolerance) {
   const double distance = largest_distance(positions, scene.expected);
   if (!(distance <= tolerance)) {
-    throw std::runtime_error("differs from the reference by " + std::to_string(distance) +
+    throw std::runtime_error("differs from the reference by " + to_text(distance) +
                              " m, which is more than round-off");
   }
 }
@@ -93,7 +94,7 @@ void require_no_gain(const std::vector<Vec3>& positions, const CheckedScene& sce
   const double gain = elastic + gravitational_energy(s, positions) - at_start;
   // Symplectic Euler lets energy swing a little about what it should be.
   if (!(gain <= 0.01 * elastic))
-    throw std::runtime_error("gained " + std::to_string(gain) + " J from nothing while it was timed");
+    throw std::runtime_error("gained " + to_text(gain) + " J from nothing while it was timed");
 }
 
 }  // namespace hooke::bench

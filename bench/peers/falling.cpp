@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "scene/number_text.h"
+
 namespace hooke::bench {
 namespace {
 
@@ -29,13 +31,13 @@ void require_falling(const Scene& scene, const std::vector<Vec3>& positions, dou
     const double moved = (positions[pin.particle] - scene.particles.position[pin.particle]).norm();
     if (!(moved <= 1e-6))
       throw std::runtime_error("pinned particle " + std::to_string(pin.particle) + " moved by " +
-                               std::to_string(moved) + " m");
+                               to_text(moved) + " m");
   }
   const double fall = mean_fall(scene, positions);
   const double free_fall = 0.5 * gravity_of(scene).norm() * time * (time + step);  // in steps of Euler
   if (!(fall > 0.0 && fall <= 1.001 * free_fall))
-    throw std::runtime_error("fell by " + std::to_string(fall) + " m, where free fall is " +
-                             std::to_string(free_fall) + " m");
+    throw std::runtime_error("fell by " + to_text(fall) + " m, where free fall is " + to_text(free_fall) +
+                             " m");
 }
 
 }  // namespace hooke::bench

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hooke_peers.h"
+#include "scene/number_text.h"
 #include "velocity_verlet.h"
 
 namespace hooke::bench {
@@ -34,7 +35,7 @@ struct CheckedNetwork {
     const double error = largest_distance(positions, expected);
     const double moved = largest_distance(network.particles.position, expected);
     if (!(error <= tolerance * moved)) {
-      throw std::runtime_error(who + " is " + std::to_string(error / moved) +
+      throw std::runtime_error(who + " is " + to_text(error / moved) +
                                " of the largest way from velocity Verlet's positions");
     }
   }
@@ -44,8 +45,7 @@ Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_
   const LammpsNetwork::Run run = checked.lammps.run(processes, checked_steps, steps);
   checked.require_same("LAMMPS", run.positions);
   if (!(std::abs(run.energy_change) <= 0.05))
-    throw std::runtime_error("LAMMPS changed the energy by " + std::to_string(100.0 * run.energy_change) +
-                             " %");
+    throw std::runtime_error("LAMMPS changed the energy by " + to_text(100.0 * run.energy_change) + " %");
   return {run.seconds, double(steps) * double(checked.network.springs.size())};
 }
 
