@@ -30,8 +30,4 @@ double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
 /// Throws std::runtime_error where `positions` are further than `tolerance` [m] from what the scene expects.
 void require_near(const std::vector<Vec3>& positions, const CheckedScene& scene, double tolerance);
 
-/// Throws std::runtime_error where a run exploded while it was timed: where `positions` alone have more
-/// energy, elastic and in gravity, than all had at the start. With drag, energy can only fall.
-void require_no_gain(const std::vector<Vec3>& positions, const CheckedScene& scene);
-
 }  // namespace hooke::bench

@@ -12,6 +12,7 @@
 
 #include <hooke/hooke.h>
 
+#include "energy_gain.h"
 #include "falling.h"
 #include "hooke_peers.h"
 #include "hung_sheet.h"
@@ -84,8 +85,8 @@ class BulletSheet : public MovedSheet {
 struct Contender {
   std::string engine, setting;
   unsigned threads;
-  double stretch;    ///< stiffness of structural springs [N/m]; 0 where the engine has none in N/m
-  double last_step;  ///< [s]
+  double stretch;  ///< stiffness of structural springs [N/m]; 0 where the engine has none in N/m
+  double step;     ///< [s]
   HungSheet sheet;
   std::unique_ptr<MovedSheet> moved;
   double seconds = 0.0;        ///< [s] of wall-clock time so far
@@ -185,7 +186,8 @@ void run(const Options& options) {
          "strain_median,stretch_stiffness,mean_fall,rms_speed\n";
   for (const Contender& one : all) {
     const std::vector<Vec3> positions = one.moved->positions();
-    require_falling(one.sheet.scene, positions, frames * frame_seconds, one.last_step);
+    require_falling(one.sheet.scene, positions, frames * frame_seconds, one.step);
+    if (one.stretch > 0.0) require_no_gain(one.sheet.scene, positions);
     write_row(out, one, positions, frames);
     if (!options.folder.empty()) write_points(options.folder / file_name(one), one.sheet, positions);
   }

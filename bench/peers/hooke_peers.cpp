@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "energy_gain.h"
 #include "program/stopwatch.h"
 
 namespace hooke::bench {
@@ -17,7 +18,7 @@ Peer hooke_peer(const std::shared_ptr<const CheckedScene>& scene, unsigned threa
     const Report report = simulation.step(steps);
     const double seconds = watch.seconds();
     if (!report.ok()) throw std::runtime_error(report.message());
-    require_no_gain(positions_of(simulation), *scene);
+    require_no_gain(scene->bench.scene, positions_of(simulation));
     return Timing{seconds, double(steps) * double(simulation.spring_count())};
   };
   return {"hooke", sizeof(Real) == 4 ? "float" : "double", threads, "positions, energy", run};
