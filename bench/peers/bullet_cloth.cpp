@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 
 namespace hooke::bench {
@@ -60,16 +59,11 @@ std::unique_ptr<btSoftBody> make_body(const Scene& scene, btSoftBodyWorldInfo& i
   return body;
 }
 
-void add_links(btSoftBody& body, const Scene& scene, const std::vector<double>& stiffness) {
-  std::map<double, btSoftBody::Material*> materials;
-  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
-    btSoftBody::Material*& material = materials[stiffness[s]];
-    if (!material) {
-      material = body.appendMaterial();
-      material->m_kLST = btScalar(stiffness[s]);
-    }
-    body.appendLink(int(scene.springs.first[s]), int(scene.springs.second[s]), material);
-  }
+void add_links(btSoftBody& body, const Springs& springs) {
+  btSoftBody::Material* material = body.appendMaterial();
+  material->m_kLST = 1;  // a projection takes away all of a link's error
+  for (std::size_t s = 0; s < springs.size(); ++s)
+    body.appendLink(int(springs.first[s]), int(springs.second[s]), material);
 }
 
 }  // namespace
@@ -82,7 +76,7 @@ BulletCloth::BulletCloth(const Scene& scene, const BulletSettings& settings)
       info.m_gravity = to_bullet(gravity->acceleration);
   }
   world_->body = make_body(scene, info);
-  add_links(*world_->body, scene, settings.stiffness);
+  add_links(*world_->body, scene.springs);
   world_->body->m_cfg.piterations = settings.iterations;
   world_->body->m_cfg.collisions = 0;
   world_->body->setActivationState(DISABLE_DEACTIVATION);

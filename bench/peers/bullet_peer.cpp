@@ -14,9 +14,7 @@ constexpr double step = 1.0 / 60.0;
 class FallingCloth {
  public:
   explicit FallingCloth(const Scene& network)
-      : network_(network),
-        cloth_(network,
-               {.iterations = iterations, .stiffness = std::vector<double>(network.springs.size(), 1.0)}) {
+      : network_(network), cloth_(network, {.iterations = iterations}) {
     take(1);  // the first step makes the constants of the links
   }
 

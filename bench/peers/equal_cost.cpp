@@ -56,19 +56,10 @@ class HookeSheet : public MovedSheet {
 };
 
 #ifdef HOOKE_BULLET
-/// What is in the plane of the sheet is as stiff as Bullet has it; bend links are a hundredth of that, as the
-/// bend springs are.
-BulletSettings bullet_settings(const HungSheet& sheet, int iterations) {
-  BulletSettings settings{.iterations = iterations, .damping = drag_rate, .stiffness = {}};
-  for (std::size_t s = 0; s < sheet.scene.springs.size(); ++s)
-    settings.stiffness.push_back(sheet.in_plane(s) ? 1.0 : 0.01);
-  return settings;
-}
-
 class BulletSheet : public MovedSheet {
  public:
-  BulletSheet(const HungSheet& sheet, unsigned substeps, int iterations)
-      : substeps_(substeps), cloth_(sheet.scene, bullet_settings(sheet, iterations)) {}
+  BulletSheet(const Scene& scene, unsigned substeps, int iterations)
+      : substeps_(substeps), cloth_(scene, {.iterations = iterations, .damping = drag_rate}) {}
 
   void frame() override {
     for (unsigned i = 0; i < substeps_; ++i) cloth_.step(frame_seconds / substeps_);
@@ -110,7 +101,7 @@ Contender hooke_contender(Index particles_a_side, unsigned substeps, unsigned th
 #ifdef HOOKE_BULLET
 Contender bullet_contender(Index particles_a_side, unsigned substeps, int iterations) {
   HungSheet sheet = hung_sheet(particles_a_side, frame_seconds);  // of its springs only the lengths are used
-  auto moved = std::make_unique<BulletSheet>(sheet, substeps, iterations);
+  auto moved = std::make_unique<BulletSheet>(sheet.scene, substeps, iterations);
   std::string setting = std::to_string(iterations) + " iterations";
   if (substeps > 1) setting = std::to_string(substeps) + " substeps of " + setting;
   return {"bullet", setting, 1, 0.0, frame_seconds / substeps, std::move(sheet), std::move(moved)};

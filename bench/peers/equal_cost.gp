@@ -13,7 +13,7 @@ set logscale xy
 set xlabel "ms for each frame of 1/60 s"
 set ylabel "99th percentile of |l - l0| / l0, structural and shear springs [%]"
 set grid
-set offsets graph 0.05, graph 0.3, graph 0.08, graph 0.05
+set offsets graph 0.05, graph 0.4, graph 0.08, graph 0.05
 set key top right
 of(engine) = strcol("engine") eq engine ? column("strain_percentile_99") * 100 : NaN
 label(setting, threads) = setting.", ".threads.(threads eq "1" ? " thread" : " threads")
@@ -27,22 +27,26 @@ plot figures using "ms_per_frame":(of("hooke")) title "Hooke" with points pt 7 p
 reset
 first_file(pattern) = system("ls ".ARG1."/".pattern." 2>/dev/null | head -n 1")
 hooke = first_file("hooke_600_substeps_*.txt")
-bullet = first_file("bullet_80_iterations_*.txt")
+bullet = first_file("bullet_8_substeps_of_10_iterations_*.txt")
 if (hooke eq "" || bullet eq "") { print "skipped: sheets.png, which needs a sheet of each engine"; exit }
 set terminal pngcairo size 1300, 750 font "sans,12"
 set output ARG1."/sheets.png"
-set multiplot layout 1, 2
-set view 80, 20, 2.2
+stats hooke using (-$3) name "hooke" nooutput
+stats bullet using (-$3) name "bullet" nooutput
+lowest = hooke_min < bullet_min ? hooke_min : bullet_min
+set view 80, 20, 1.6
 set view equal xyz
 set xrange [-0.1:1.1]
-set yrange [-0.4:0.4]
-set zrange [-1.5:0]
+set yrange [-0.3:0.3]
+set zrange [lowest:0.05]
+set xyplane at lowest
+set multiplot layout 1, 2
 set hidden3d
 unset key
 unset border
 unset tics
 set title "Hooke, 600 substeps a frame"
 splot hooke using 1:2:(-$3) every 4:4 with lines lc rgb "#0060ad"
-set title "Bullet, 80 iterations a frame"
+set title "Bullet, 8 substeps of 10 iterations"
 splot bullet using 1:2:(-$3) every 4:4 with lines lc rgb "#c04000"
 unset multiplot
