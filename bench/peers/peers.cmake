@@ -7,9 +7,9 @@ mark_as_advanced(HOOKE_LMP HOOKE_MPIRUN)
 
 # hooke_peer_program(TARGET SOURCES...): with Bullet where there is one.
 function(hooke_peer_program target)
-  add_executable(${target} bench_scenes.cpp ${ARGN})
-  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/engine/src)
-  target_link_libraries(${target} PRIVATE hooke::hooke hooke_scene_file CLI11::CLI11)
+  add_executable(${target} ${ARGN})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/engine/src)
+  target_link_libraries(${target} PRIVATE hooke_bench_scenes hooke_program CLI11::CLI11)
   hooke_warnings(${target})
   # The engine's own flags, so that no peer is slower for want of them.
   target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math $<$<CONFIG:Release>:-O3>)

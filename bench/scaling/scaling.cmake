@@ -1,10 +1,4 @@
-# hooke_scaling: the speed of a step over sizes, threads, modes and precisions, beside what the machine can do. Its
-# loops that find out what the machine can do need Highway; where that is absent, the program is not built.
-find_package(hwy QUIET)
-if(NOT hwy_FOUND)
-  message(STATUS "hooke_scaling is not built, as there is no Highway (Debian: libhwy-dev)")
-  return()
-endif()
+# hooke_scaling: the speed of a step over sizes, threads, modes and precisions, beside what the machine can do.
 
 # All of it but main(), so that tests can link its parts.
 add_library(hooke_scaling_parts STATIC

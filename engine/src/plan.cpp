@@ -17,9 +17,13 @@ Sweep<Real> spring_sweep(Forces<Real>& forces) {
   return {"springs", {forces.spring_stage()}, run, {}};
 }
 
-Stage method_stage(const Method& method) {
+Stage method_stage(const Method& method, std::size_t inverse_mass_bytes) {
   const auto name = std::visit([](const auto& data) { return std::string(data.name); }, method);
-  return {name, "", {"force", "position", "velocity", "inverse mass"}, {"position", "velocity"}, 0};
+  return {name,
+          "",
+          {"force", "position", "velocity", "inverse mass"},
+          {"position", "velocity"},
+          inverse_mass_bytes};
 }
 
 template <class Real>
@@ -32,7 +36,7 @@ Stage pin_stage(const Model<Real>& model) {
 template <class Real>
 Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Forces<Real>& forces) {
   std::vector<Stage> stages = forces.strip_stages();
-  stages.push_back(method_stage(method));
+  stages.push_back(method_stage(method, model.inverse_mass.bytes()));
   if (!model.moving_pins.empty()) stages.push_back(pin_stage(model));
   const auto run = [method, &model, &forces](const Step<Real>& step, std::size_t begin, std::size_t end) {
     std::visit([&](const auto& data) { euler_blocks(data, model, forces, step, begin, end); }, method);
@@ -80,7 +84,7 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
   const bool one_sweep = plan.sweeps.size() == 1 && !forces.calls_user();
   plan.most_steps_at_once = one_sweep ? most_steps_at_once : 1;
   plan.shown.stages = stages_of(plan.sweeps);
-  plan.shown.model_bytes = model.order.bytes() + model.inverse_mass.bytes();
+  plan.shown.model_bytes = model.order.bytes();
   plan.shown.order = model.order.reason();
   plan.shown.springs = forces.spring_layout();
   plan.tiles = make_tiles(block_count(model.particles()), model.spring_reach, block_bytes(model, forces));

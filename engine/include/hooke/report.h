@@ -55,8 +55,8 @@ struct Stage {
 /// What a simulation runs each step, in order, and the memory that it holds.
 struct Plan {
   std::vector<Stage> stages;
-  std::size_t state_bytes = 0;  ///< positions and velocities, now and before
-  std::size_t model_bytes = 0;  ///< inverse masses and the maps between the user's numbering and the engine's
+  std::size_t state_bytes = 0;  ///< positions and velocities: now, before, and being computed
+  std::size_t model_bytes = 0;  ///< the maps between the user's numbering and the engine's
   std::string order;            ///< how particles are numbered inside, and why
   std::string springs;          ///< how springs are laid out; empty where there are none
   std::string tiles;            ///< how particles are cut into tiles, and how many steps run on one at once
