@@ -69,7 +69,7 @@ void register_case(BenchScene bench) {
   benchmark::RegisterBenchmark((timed->bench.name + "/naive").c_str(), naive)
       ->UseRealTime()
       ->Unit(benchmark::kMicrosecond);
-  for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+  for (auto accumulation : accumulations) {
     for (unsigned threads : {1u, 2u}) {
       register_engine<float>(timed, accumulation, threads);
       register_engine<double>(timed, accumulation, threads);

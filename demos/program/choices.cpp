@@ -8,7 +8,6 @@
 namespace hooke::program {
 namespace {
 
-constexpr std::array accumulations{Accumulation::gather, Accumulation::coloured, Accumulation::atomic};
 constexpr std::array precisions{Precision::single, Precision::twofold};
 
 template <std::size_t... I>

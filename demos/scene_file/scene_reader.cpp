@@ -88,7 +88,7 @@ void read_accumulation(JsonReader& reader, const Json& root, Accumulation& accum
   std::string word(to_string(accumulation));
   reader.read_optional(root, "accumulation", word);
   std::vector<std::string_view> known;
-  for (const auto mode : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+  for (const auto mode : accumulations) {
     known.push_back(to_string(mode));
     if (word != known.back()) continue;
     accumulation = mode;

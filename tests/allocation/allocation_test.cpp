@@ -49,7 +49,7 @@ TEST_CASE_TEMPLATE("a step allocates nothing, in any mode and on any number of t
   add(mesh, test::irregular_mesh(60));
   mesh.effects = {Gravity{}, GroundPlane{.height = -1.0, .stiffness = 10.0}};
   for (const Scene& scene : {grid, mesh}) {
-    for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+    for (auto accumulation : accumulations) {
       for (unsigned threads : {1u, 2u}) {
         Simulation<Real> simulation(scene, {.step = 1e-4, .accumulation = accumulation, .threads = threads});
         REQUIRE(simulation.step(20).ok());

@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE(
     damped += scene.springs.damping.empty() ? 0 : 1;
     pins += scene.pins.size();
     on_each_instruction_set([&] {
-      for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+      for (auto accumulation : accumulations) {
         for (const auto& executor : {one_thread, fine}) {
           worst = std::max(worst, worst_error<Real>(scene, accumulation, executor));
         }
@@ -93,7 +93,7 @@ TEST_CASE_TEMPLATE("a hub with more springs than colours", Real, float, double) 
   }
   const Scene scene = rounded<Real>(star);
   const auto fine = std::make_shared<FineExecutor>(4);
-  for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+  for (auto accumulation : accumulations) {
     // One rounding for each of the hub's terms, in the worst case; a lost addition is 1e3 times as much.
     CHECK(worst_error<Real>(scene, accumulation, fine) < 100.0);
   }

@@ -57,7 +57,7 @@ TEST_CASE("energies are those of the formulas") {
   scene.add_particle(1.0, {0.0, 1.5, 0.0});
   scene.add_spring(0, 1, 8.0, 1.0);
   scene.effects = {Gravity{{0.0, -10.0, 0.0}}, GroundPlane{.height = 0.0, .stiffness = 4.0}};
-  for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+  for (auto accumulation : accumulations) {
     const Energy energy = Simulation<double>(scene, {.accumulation = accumulation}).energy();
     CHECK(energy.kinetic == doctest::Approx(9.0));
     CHECK(energy.elastic == doctest::Approx(0.5 * 8.0 * 1.0));

@@ -29,7 +29,7 @@ bool finite(const Simulation<Real>& simulation) {
 
 TEST_CASE_TEMPLATE("an unstable step ends with a report, and the last good state is kept", Real, float,
                    double) {
-  for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+  for (auto accumulation : accumulations) {
     Simulation<Real> simulation(hung_cloth(20, 20),
                                 {.step = 0.1, .accumulation = accumulation, .threads = 2});
     const Report report = simulation.step(100'000);
@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("coincident particles, zero rest length, no springs, one part
   Scene tiny_rest = coincident;
   tiny_rest.springs.rest_length[0] = 1e-38;
   for (const Scene& scene : {coincident, zero_rest, nearly, denormal, tiny_rest, one_particle()}) {
-    for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+    for (auto accumulation : accumulations) {
       for (Method method : {Method(SymplecticEuler{}), Method(ExplicitEuler{})}) {
         Simulation<Real> simulation(scene, {.method = method, .step = 1e-3, .accumulation = accumulation});
         CHECK(simulation.step(100).ok());

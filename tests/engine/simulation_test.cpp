@@ -154,7 +154,7 @@ TEST_CASE("the largest strain is that of the most stretched spring with a rest l
   scene.add_spring(0, 1, 1.0, 1.0);  // strain 0.5
   scene.add_spring(1, 2, 1.0, 1.0);  // strain -0.5
   scene.add_spring(2, 3, 1.0, 0.0);  // none
-  for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+  for (auto accumulation : accumulations) {
     CHECK(Simulation<double>(scene, {.accumulation = accumulation}).max_strain() == doctest::Approx(0.5));
   }
   scene.springs.rest_length = {10.0, 2.0, 0.0};

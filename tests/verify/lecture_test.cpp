@@ -74,7 +74,7 @@ TEST_CASE("projectile: explicit Euler falls behind by g h t / 2, symplectic Eule
 TEST_CASE("undamped oscillator: explicit Euler multiplies the energy by 1 + (h w)^2 each step") {
   const double mass = 0.7, stiffness = 31.0, h = 0.01;
   const double z2 = h * h * stiffness / mass;
-  for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+  for (auto accumulation : accumulations) {
     const Settings settings{.method = ExplicitEuler{}, .step = h, .accumulation = accumulation};
     Simulation<double> simulation(oscillator(mass, stiffness), settings);
     for (int n = 0; n < 500; ++n) {

@@ -31,7 +31,7 @@ double momentum_scale(const Scene& scene, const Simulation<double>& simulation) 
 TEST_CASE("springs change no linear momentum, but for round-off") {
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     const Scene scene = free_network(seed);
-    for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+    for (auto accumulation : accumulations) {
       Simulation<double> simulation(scene, {.step = 1e-3, .accumulation = accumulation});
       const Vec3 before = simulation.momentum();
       REQUIRE(simulation.step(100).ok());

@@ -45,7 +45,7 @@ TEST_CASE("damped oscillator: both Euler methods converge to the closed form wit
   const DampedOscillator under{0.5, 20.0, 0.8, 0.3, 0.1}, over{0.5, 20.0, 16.0, 0.3, 0.1};
   for (const DampedOscillator& oscillator : {under, over}) {
     for (const Method& method : {Method(ExplicitEuler{}), Method(SymplecticEuler{})}) {
-      for (auto accumulation : {Accumulation::gather, Accumulation::coloured, Accumulation::atomic}) {
+      for (auto accumulation : accumulations) {
         std::vector<double> errors;
         for (double h = 1e-3; h > 1e-4; h /= 2.0)
           errors.push_back(oscillator.error(method, h, 1.0, accumulation));

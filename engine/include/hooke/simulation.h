@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -23,6 +24,8 @@ enum class Accumulation {
              ///< of threads
   atomic,    ///< all springs at once with atomic adds: not reproducible
 };
+
+inline constexpr std::array accumulations{Accumulation::gather, Accumulation::coloured, Accumulation::atomic};
 
 std::string_view to_string(Accumulation accumulation);
 
@@ -63,7 +66,8 @@ struct Snapshot {
 template <class Real = float>
 class Simulation {
  public:
-  /// Compiles `scene`; it is not needed afterwards. Throws SceneError with every fault.
+  /// Compiles `scene`; it is not needed afterwards. Throws SceneError with every fault, std::length_error for
+  /// gather accumulation on more than 2^29 particles.
   explicit Simulation(const Scene& scene, Settings settings = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;

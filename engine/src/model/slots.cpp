@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "model/row_store.h"
 
@@ -16,6 +18,9 @@ constexpr Index no_spring = ~Index{0};
 /// Fewer lanes than this with one shift go into indexed slots, where they share a slot with others: an
 /// indexed slot costs about twice a shift slot, but leaves few lanes empty.
 constexpr std::size_t least_shift_lanes = 10;
+
+/// As many as offsets in 32 bits lead over.
+constexpr std::size_t most_particles = std::size_t{1} << 29;
 
 /// Where no more lanes than this stay empty with shift slots alone, indexed slots are not worth their packed
 /// copies of the state.
@@ -328,6 +333,10 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
                        Executor& executor) {
+  if (order.size() > most_particles) {
+    throw std::length_error("gather: there are " + std::to_string(order.size()) + " particles; use at most " +
+                            std::to_string(most_particles) + ", or another accumulation");
+  }
   if (order.is_identity()) {
     Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, true);
     if (count_slots(slots, springs.size()).empty_share() <= most_empty_lanes) return slots;

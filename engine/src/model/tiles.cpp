@@ -11,8 +11,8 @@ namespace {
 /// Fewer blocks than this take less than a microsecond: too short to be handed out.
 constexpr std::size_t least_tile_blocks = 16;
 
-/// More steps in a pass gain nothing: memory is already far from being what binds. Fewer do where even they do
-/// not fit, as then they still come from a cache further out.
+/// More steps in a pass gain nothing: memory is already far from being what binds. Fewer do where even they
+/// do not fit, as then they still come from a cache further out.
 constexpr std::size_t least_steps_in_pass = 4, most_steps_in_pass = 16;
 
 }  // namespace
