@@ -9,8 +9,8 @@
 namespace hooke {
 namespace {
 
-/// Springs that one thread takes at a time: long enough to hide the cost of handing them out.
-constexpr std::size_t spring_grain = 4096;
+/// Blocks whose springs one thread takes at a time: long enough to hide the cost of handing them out.
+constexpr std::size_t scattered_blocks = 64;
 
 std::string percent(double share) {
   std::ostringstream text;
@@ -21,12 +21,11 @@ std::string percent(double share) {
 }  // namespace
 
 template <class Real>
-Forces<Real>::Forces(const Scene& scene, const Model<Real>& model, Accumulation accumulation)
+Forces<Real>::Forces(const Scene& scene, const Model<Real>& model)
     : springs_(model.springs),
-      slots_(std::get_if<Slots<Real>>(&model.spring_layout)),
-      list_(std::get_if<SpringList<Real>>(&model.spring_layout)),
-      adds_(accumulation == Accumulation::atomic ? Adds::atomic : Adds::plain),
-      sums_(list_ != nullptr ? model.particles() : 0) {
+      slots_(slots_of(model)),
+      batches_(std::get_if<SpringBatches<Real>>(&model.spring_layout)),
+      sums_(batches_ != nullptr ? model.particles() : 0, batches_ != nullptr && slots_->any_indexed()) {
   const EffectContext context{scene, model.order};
   for (const Effect& effect : scene.effects) {
     std::visit([&](const auto& data) { effects_.push_back(compile_effect<Real>(data, context)); }, effect);
@@ -41,41 +40,32 @@ bool Forces<Real>::calls_user() const {
 
 template <class Real>
 void Forces<Real>::scatter(const State<Real>& state, Executor& executor) {
-  for (std::size_t batch = 0; batch < list_->batches(); ++batch) {
-    const std::size_t first = list_->batch_begin[batch], count = list_->batch_begin[batch + 1] - first;
-    const auto run = [&](std::size_t begin, std::size_t end) {
-      scatter_springs(*list_, first + begin, first + end, state, adds_, sums_);
-    };
-    const bool serial = list_->last_batch_serial && batch + 1 == list_->batches();
-    if (serial) {
-      run(0, count);
-    } else {
-      executor.parallel_for(count, spring_grain, run);
-    }
+  const std::size_t grain = std::max<std::size_t>(1, scattered_blocks / batches_->batch_blocks);
+  // One thread shares nothing.
+  const bool atomic = !batches_->shared.empty() && executor.threads() > 1;
+  const std::uint8_t* const shared = atomic ? batches_->shared.data() : nullptr;
+  for (std::size_t colour = 0; colour < batches_->colours(); ++colour) {
+    const std::uint32_t* const batches = batches_->batches.data() + batches_->colour_begin[colour];
+    const std::size_t count = batches_->colour_begin[colour + 1] - batches_->colour_begin[colour];
+    executor.parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) {
+        scatter_springs(*slots_, state, batches_->begin(batches[b]), batches_->end(batches[b]), shared,
+                        sums_);
+      }
+    });
   }
-}
-
-template <class Real>
-void Forces<Real>::clear() {
-  for (AlignedVector<Real>* sums : {&sums_.x, &sums_.y, &sums_.z})
-    std::fill(sums->begin(), sums->end(), Real(0));
 }
 
 template <class Real>
 SpringMeasure Forces<Real>::measure_springs(const State<Real>& state, Executor& executor) const {
-  if (slots_ != nullptr) {
-    return sum_in_order<SpringMeasure>(executor, block_count(state.size()), block_run,
-                                       [&](std::size_t begin, std::size_t end) {
-                                         SpringMeasure sum;
-                                         for (std::size_t b = begin; b < end; ++b)
-                                           sum.add(measure_gathered(*slots_, state, b));
-                                         return sum;
-                                       });
-  }
-  if (list_ == nullptr) return {};
-  return sum_in_order<SpringMeasure>(
-      executor, list_->size(), spring_grain,
-      [&](std::size_t begin, std::size_t end) { return measure_listed(*list_, begin, end, state); });
+  if (slots_ == nullptr) return {};
+  return sum_in_order<SpringMeasure>(executor, block_count(state.size()), block_run,
+                                     [&](std::size_t begin, std::size_t end) {
+                                       SpringMeasure sum;
+                                       for (std::size_t b = begin; b < end; ++b)
+                                         sum.add(measure_gathered(*slots_, state, b));
+                                       return sum;
+                                     });
 }
 
 template <class Real>
@@ -88,30 +78,29 @@ double Forces<Real>::effect_energy(const Strip<Real>& strip) const {
 template <class Real>
 Stage Forces<Real>::spring_stage() const {
   std::vector<std::string> reads = {"position"};
-  const bool damped = slots_ != nullptr ? slots_->damped : !list_->damping.empty();
-  if (damped) reads.push_back("velocity");
-  if (slots_ != nullptr) return {"springs (gather)", "", std::move(reads), {"force"}, slots_->bytes()};
-  const std::string name = adds_ == Adds::atomic ? "springs (atomic)" : "springs (coloured)";
-  return {name, "", std::move(reads), {"force"}, list_->bytes() + sums_.bytes()};
+  if (slots_->damped) reads.push_back("velocity");
+  if (batches_ == nullptr) return {"springs (gather)", "", std::move(reads), {"force"}, slots_->bytes()};
+  const std::string name = batches_->shared.empty() ? "springs (coloured)" : "springs (atomic)";
+  return {name, "", std::move(reads), {"force"}, batches_->bytes() + sums_.bytes()};
 }
 
 template <class Real>
 std::string Forces<Real>::spring_layout() const {
-  if (slots_ != nullptr) {
-    const SlotCount count = count_slots(*slots_, springs_);
-    return std::to_string(count.slots) + " slots of 16, " + percent(count.shift_share()) +
-           " of them shifts, " + percent(count.empty_share()) + " of the lanes empty";
-  }
-  if (list_ == nullptr) return "";
-  if (adds_ == Adds::atomic) return "one list";
-  return std::to_string(list_->batches()) + " colours" +
-         (list_->last_batch_serial ? ", the last on one thread" : "");
+  if (slots_ == nullptr) return "";
+  const SlotCount count = count_slots(*slots_, springs_);
+  const std::string slots = std::to_string(count.slots) + " slots of 16, " + percent(count.shift_share()) +
+                            " of them shifts, " + percent(count.empty_share()) + " of the lanes empty";
+  if (batches_ == nullptr) return slots;
+  const std::string batches = std::to_string(batches_->batches.size()) + " batches, ";
+  if (batches_->shared.empty()) return std::to_string(batches_->colours()) + " colours of " + batches + slots;
+  const auto shared = double(std::count(batches_->shared.begin(), batches_->shared.end(), 1));
+  return batches + percent(shared / double(batches_->shared.size())) + " of the blocks shared, " + slots;
 }
 
 template <class Real>
 std::vector<Stage> Forces<Real>::strip_stages() const {
   std::vector<Stage> stages;
-  if (slots_ != nullptr) stages.push_back(spring_stage());
+  if (slots_ != nullptr && batches_ == nullptr) stages.push_back(spring_stage());
   for (const StripEffectPointer<Real>& effect : effects_) {
     stages.push_back(effect->stage());
     stages.back().writes = {"force"};

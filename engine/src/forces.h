@@ -16,9 +16,9 @@ namespace hooke {
 template <class Real>
 class Forces {
  public:
-  Forces(const Scene& scene, const Model<Real>& model, Accumulation accumulation);
+  Forces(const Scene& scene, const Model<Real>& model);
 
-  bool scatters() const { return list_ != nullptr; }
+  bool scatters() const { return batches_ != nullptr; }
 
   /// Whether one of the effects calls a function of the user's, which may expect to be asked for one time
   /// after the other.
@@ -30,10 +30,10 @@ class Forces {
   /// The whole force [N] on the particles of a strip at `time` [s].
   void on_strip(const Strip<Real>& strip, const State<Real>& state, double time, StripForce<Real>& force) {
     const std::size_t begin = strip.first / block_size, end = begin + strip.lanes / block_size;
-    if (slots_ != nullptr) {
-      gather_springs(*slots_, state, begin, end, force);
-    } else if (list_ != nullptr) {
+    if (batches_ != nullptr) {
       sums_.take(strip, force);
+    } else if (slots_ != nullptr) {
+      gather_springs(*slots_, state, begin, end, force);
     } else {
       force = StripForce<Real>{};
     }
@@ -41,7 +41,7 @@ class Forces {
   }
 
   /// Forgets sums that no block took, after a step that was broken off.
-  void clear();
+  void clear() { sums_.clear(); }
 
   SpringMeasure measure_springs(const State<Real>& state, Executor& executor) const;
 
@@ -59,10 +59,9 @@ class Forces {
 
  private:
   std::size_t springs_ = 0;
-  const Slots<Real>* slots_ = nullptr;
-  const SpringList<Real>* list_ = nullptr;
-  Adds adds_ = Adds::plain;
-  ForceArrays<Real> sums_;
+  const Slots<Real>* slots_ = nullptr;            ///< of all springs; null where there are none
+  const SpringBatches<Real>* batches_ = nullptr;  ///< of the modes that scatter, else null
+  ForceSums<Real> sums_;
   std::vector<StripEffectPointer<Real>> effects_;
 };
 

@@ -28,7 +28,7 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
     : settings(validated<Real>(scene, std::move(given))),
       executor(executor_of(settings)),
       model(scene, settings.accumulation, *executor),
-      forces(scene, model, settings.accumulation),
+      forces(scene, model),
       plan(make_plan(settings, model, forces)),
       workers(plan.tiles, executor->threads()),
       states(initial_state(scene, model), plan.states()),

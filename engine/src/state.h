@@ -89,6 +89,15 @@ class State {
 
   double time = 0.0;
 
+  /// From one array's base to the next one's. The bases of a state's arrays differ by five cache lines modulo
+  /// 4 KiB: with equal low address bits, loads from one array would falsely wait for stores to another.
+  static std::size_t array_stride(std::size_t particles) {
+    constexpr std::size_t page = 4096 / sizeof(Real), offset = 5 * cache_line / sizeof(Real);
+    const std::size_t needed = (block_count(particles) + 2) * block_size;
+    if (needed < page) return needed;  // everything fits in the first-level cache; do not waste memory
+    return (needed + page - 1 - offset) / page * page + offset;
+  }
+
  private:
   Real* array(std::size_t which) { return values_.data() + which * stride_ + block_size; }
   const Real* array(std::size_t which) const { return values_.data() + which * stride_ + block_size; }
@@ -100,15 +109,6 @@ class State {
   static void pack(AlignedVector<Real>& packed, std::size_t i, const Eigen::Matrix<Real, 3, 1>& value) {
     if (packed.empty()) return;
     std::copy(value.begin(), value.end(), packed.begin() + std::ptrdiff_t(i * packed_width));
-  }
-
-  /// The bases of the six arrays differ by five cache lines modulo 4 KiB: with equal low address bits, loads
-  /// from one array would falsely wait for stores to another.
-  static std::size_t array_stride(std::size_t particles) {
-    constexpr std::size_t page = 4096 / sizeof(Real), offset = 5 * cache_line / sizeof(Real);
-    const std::size_t needed = (block_count(particles) + 2) * block_size;
-    if (needed < page) return needed;  // everything fits in the first-level cache; do not waste memory
-    return (needed + page - 1 - offset) / page * page + offset;
   }
 
   std::size_t particles_, stride_;

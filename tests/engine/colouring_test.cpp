@@ -1,8 +1,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
 #include <vector>
 
+#include "irregular_mesh.h"
 #include "model/colouring.h"
 #include "scenes.h"
 
@@ -10,51 +14,168 @@ using namespace hooke;
 
 namespace {
 
-/// No two springs of a batch share a particle, but for the last batch if it is for one thread.
-bool batches_are_independent(const SpringList<float>& list, std::size_t particles) {
-  const std::size_t parallel = list.batches() - (list.last_batch_serial ? 1 : 0);
-  for (std::size_t batch = 0; batch < parallel; ++batch) {
-    std::vector<bool> used(particles, false);
-    for (std::size_t s = list.batch_begin[batch]; s < list.batch_begin[batch + 1]; ++s) {
-      for (Index end : {list.first[s], list.second[s]}) {
-        if (used[end]) return false;
-        used[end] = true;
+Slots<double> lower_slots(const Scene& scene, const Order& order) {
+  const Adjacency adjacency(scene.springs, scene.particles.size());
+  return make_slots<double>(scene.springs, adjacency, order, *make_tbb_executor(2), SpringEnds::lower);
+}
+
+Slots<double> lower_slots(const Scene& scene) {
+  const std::size_t particles = scene.particles.size();
+  return lower_slots(scene, choose_order(scene.springs, Adjacency(scene.springs, particles), particles));
+}
+
+/// Lower end, higher end, stiffness, stiffness times rest length, damping: how many there are of each.
+using Count = std::map<std::tuple<std::size_t, std::size_t, double, double, double>, int>;
+
+Count springs_of(const Scene& scene, const Order& order) {
+  Count count;
+  const Springs& springs = scene.springs;
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const auto [low, high] =
+        std::minmax<std::size_t>({order.engine(springs.first[s]), order.engine(springs.second[s])});
+    ++count[{low, high, springs.stiffness[s], springs.stiffness[s] * springs.rest_length[s],
+             springs.damping_of(s)}];
+  }
+  return count;
+}
+
+Count springs_of(const Slots<double>& slots) {
+  Count count;
+  for (std::size_t block = 0; block < slots.list_of_block.size(); ++block) {
+    const auto& list = slots.list(block);
+    for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
+      const auto& slot = slots.slots[s];
+      for (std::size_t lane = 0; lane < block_size; ++lane) {
+        const std::size_t own = block * block_size + lane;
+        const std::size_t other =
+            s < list.first_indexed ? own + std::size_t(slot.shift) : slots.neighbour(block, slot, lane);
+        const double stiffness = slots.row(slot.stiffness)[lane];
+        const double damping = slots.damped ? 4.0 * slots.row(slot.quarter_damping)[lane] : 0.0;
+        if (own == other || (stiffness == 0.0 && damping == 0.0)) continue;
+        ++count[{own, other, stiffness, 2.0 * slots.row(slot.half_pull)[lane], damping}];
       }
+    }
+  }
+  return count;
+}
+
+/// The blocks that a batch writes to: all that its vectors touch, with a spring in each lane or not.
+std::set<std::size_t> written_blocks(const SpringBatches<double>& batches, std::size_t batch) {
+  std::set<std::size_t> written;
+  for (std::size_t block = batches.begin(batch); block < batches.end(batch); ++block) {
+    written.insert(block);
+    const auto& list = batches.slots.list(block);
+    for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
+      for (std::size_t lane = 0; lane < block_size; ++lane) {
+        const auto& slot = batches.slots.slots[s];
+        const std::size_t own = block * block_size + lane;
+        const bool shift = s < list.first_indexed;
+        const std::size_t other =
+            shift ? own + std::size_t(slot.shift) : batches.slots.neighbour(block, slot, lane);
+        written.insert(other / block_size);
+      }
+    }
+  }
+  return written;
+}
+
+/// How many batches write to each block, of those [begin, end) in the order of colours.
+std::map<std::size_t, int> writers(const SpringBatches<double>& batches, std::size_t begin, std::size_t end) {
+  std::map<std::size_t, int> count;
+  for (std::size_t b = begin; b < end; ++b) {
+    for (std::size_t block : written_blocks(batches, batches.batches[b])) ++count[block];
+  }
+  return count;
+}
+
+bool every_batch_has_one_place(const SpringBatches<double>& batches) {
+  std::vector<std::uint32_t> sorted = batches.batches;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t b = 0; b < sorted.size(); ++b) {
+    if (sorted[b] != b) return false;
+  }
+  return batches.colour_begin.back() == sorted.size() &&
+         batches.end(sorted.size() - 1) == batches.slots.list_of_block.size();
+}
+
+bool colours_are_independent(const SpringBatches<double>& batches) {
+  for (std::size_t colour = 0; colour < batches.colours(); ++colour) {
+    for (const auto& [block, count] :
+         writers(batches, batches.colour_begin[colour], batches.colour_begin[colour + 1])) {
+      if (count > 1) return false;
     }
   }
   return true;
 }
 
+Scene star(Index leaves, Index hub) {
+  Scene scene;
+  for (Index i = 0; i <= leaves; ++i) scene.add_particle(1.0, Vec3(i, 1, 0));
+  for (Index i = 0; i <= leaves; ++i) {
+    if (i != hub) scene.add_spring(hub, i, 1.0, 1.0);
+  }
+  return scene;
+}
+
 }  // namespace
 
-TEST_CASE("springs of one colour share no particle, and every spring has a colour") {
+TEST_CASE("slots of lower ends hold every spring once, and nothing else") {
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     const Scene scene = test::RandomNetwork(seed).make();
-    const SpringList<float> list = colour_springs<float>(scene.springs, Order(scene.particles.size(), ""));
-    CHECK(list.size() == scene.springs.size());
-    CHECK(list.batch_begin.back() == scene.springs.size());
-    CHECK(batches_are_independent(list, scene.particles.size()));
-    double listed = 0.0, given = 0.0;
-    for (float k : list.stiffness) listed += k;
-    for (double k : scene.springs.stiffness) given += float(k);
-    CHECK(listed == doctest::Approx(given));
+    const std::size_t particles = scene.particles.size();
+    for (const Order& order : {Order(particles, ""),
+                               choose_order(scene.springs, Adjacency(scene.springs, particles), particles)}) {
+      CHECK(springs_of(lower_slots(scene, order)) == springs_of(scene, order));
+    }
   }
 }
 
-TEST_CASE("a grid needs few colours") {
-  const Scene scene = test::hung_cloth(100, 100);
-  const SpringList<float> list = colour_springs<float>(scene.springs, Order(scene.particles.size(), ""));
-  CHECK(list.batches() >= 12);  // the largest number of springs at a particle
-  CHECK(list.batches() <= 20);
-  CHECK_FALSE(list.last_batch_serial);
+TEST_CASE("batches of one colour write to no common block, and every batch has a colour") {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const Slots<double> slots = lower_slots(test::RandomNetwork(seed).make());
+    for (std::size_t batch_blocks : {1u, 2u, 7u}) {
+      const SpringBatches<double> batches = colour_batches(slots, batch_blocks);
+      CHECK(every_batch_has_one_place(batches));
+      CHECK(colours_are_independent(batches));
+      CHECK(batches.shared.empty());
+    }
+  }
 }
 
-TEST_CASE("a hub of thousands of springs ends in a batch for one thread") {
-  Scene star;
-  for (int i = 0; i <= 3000; ++i) star.add_particle(1.0, Vec3(i, 1, 0));
-  for (Index i = 1; i <= 3000; ++i) star.add_spring(0, i, 1.0, 1.0);
-  const SpringList<float> list = colour_springs<float>(star.springs, Order(3001, ""));
-  CHECK(list.last_batch_serial);
-  CHECK(list.size() == 3000);
-  CHECK(batches_are_independent(list, 3001));
+TEST_CASE("blocks are marked as shared where several batches write to them") {
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const Slots<double> slots = lower_slots(test::RandomNetwork(seed).make());
+    for (std::size_t batch_blocks : {1u, 2u, 7u}) {
+      const SpringBatches<double> batches = share_batches(slots, batch_blocks);
+      CHECK(every_batch_has_one_place(batches));
+      REQUIRE(batches.colours() == 1);
+      const std::map<std::size_t, int> count = writers(batches, 0, batches.batches.size());
+      REQUIRE(batches.shared.size() == slots.list_of_block.size() + 1);
+      for (std::size_t block = 0; block < batches.shared.size(); ++block) {
+        const auto found = count.find(block);
+        CHECK(bool(batches.shared[block]) == (found != count.end() && found->second > 1));
+      }
+    }
+  }
+}
+
+TEST_CASE("grids and meshes need two or three colours") {
+  Scene mesh;
+  add(mesh, test::irregular_mesh(100));
+  for (const Scene& scene : {test::hung_cloth(100, 100), test::hung_cloth(300, 40), mesh}) {
+    const Slots<double> slots = lower_slots(scene);
+    const SpringBatches<double> batches = colour_batches(slots, coloured_batch_blocks(slots));
+    CHECK(colours_are_independent(batches));
+    CHECK(batches.batches.size() >= 8);
+    CHECK(batches.colours() >= 2);
+    CHECK(batches.colours() <= 3);
+  }
+}
+
+TEST_CASE("a hub that every batch writes to: as many colours as batches, more than 64") {
+  const Scene scene = star(3000, 3000);
+  const SpringBatches<double> batches = colour_batches(lower_slots(scene, Order(3001, "")), 1);
+  CHECK(batches.colours() == 188);
+  CHECK(colours_are_independent(batches));
+  CHECK(every_batch_has_one_place(batches));
 }

@@ -67,7 +67,7 @@ template <class Real = float>
 class Simulation {
  public:
   /// Compiles `scene`; it is not needed afterwards. Throws SceneError with every fault, std::length_error for
-  /// gather accumulation on more than 2^29 particles.
+  /// more than 2^29 particles with springs.
   explicit Simulation(const Scene& scene, Settings settings = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;

@@ -221,7 +221,7 @@ SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& stat
       measure.add_spring(length, stiffness, 2.0 * double(slots.row(slot.half_pull)[lane]));
     }
   }
-  measure.energy *= 0.5;
+  measure.energy /= double(slots.ends);
   return measure;
 }
 

@@ -13,7 +13,7 @@ template <class Real>
 void gather_springs(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
                     StripForce<Real>& force);
 
-/// What the springs of one block's particles hold, counting half of each spring's energy.
+/// What the springs in one block's slots hold. Of a spring that is in two slots, each counts half the energy.
 template <class Real>
 SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& state, std::size_t block);
 

@@ -1,99 +1,255 @@
 #include "kernels/scatter.h"
 
 #include <atomic>
-#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/scatter.cpp"
+#include <hwy/foreach_target.h>
 
 #include "kernels/flush_subnormals.h"
+#include "kernels/packed-inl.h"
+#include "kernels/spring-inl.h"
 
+HWY_BEFORE_NAMESPACE();
 namespace hooke {
+namespace HWY_NAMESPACE {
 namespace {
 
-template <class Real, bool damped>
-inline Real spring_factor(Real dx, Real dy, Real dz, Real vx, Real vy, Real vz, Real stiffness,
-                          Real rest_length, Real damping) {
-  const Real length_squared = dx * dx + dy * dy + dz * dz;
-  const Real inverse = length_squared > Real(0) ? Real(1) / std::sqrt(length_squared) : Real(0);
-  Real factor = stiffness * (Real(1) - rest_length * inverse);
-  if constexpr (damped) {
-    const Real along = (vx * dx + vy * dy + vz * dz) * inverse;
-    factor += damping * along * inverse;
-  }
-  return factor;
+/// Adding zero would change no sum; most lanes of an atomic add have a spring, and some have none.
+template <class Real>
+HWY_INLINE void add_atomically(Real& sum, Real value) {
+  if (value != Real(0)) std::atomic_ref<Real>(sum).fetch_add(value, std::memory_order_relaxed);
 }
 
-template <class Real, Adds adds>
-void add(Real& sum, Real value) {
-  if constexpr (adds == Adds::atomic) {
-    std::atomic_ref<Real>(sum).fetch_add(value, std::memory_order_relaxed);
-  } else {
-    sum += value;
-  }
-}
+/// Adds vectors of forces to the sums, atomically where other threads may.
+template <class Real>
+class VectorAdds {
+ public:
+  using D = hn::CappedTag<Real, block_size>;
+  using V = hn::Vec<D>;
 
-template <class Real, bool damped, Adds adds>
-void scatter(const SpringList<Real>& list, std::size_t begin, std::size_t end, const State<Real>& state,
-             ForceArrays<Real>& force) {
-  for (std::size_t s = begin; s < end; ++s) {
-    const Index a = list.first[s], b = list.second[s];
-    const Real dx = state.x()[b] - state.x()[a];
-    const Real dy = state.y()[b] - state.y()[a];
-    const Real dz = state.z()[b] - state.z()[a];
-    Real vx = 0, vy = 0, vz = 0, c = 0;
-    if constexpr (damped) {
-      vx = state.vx()[b] - state.vx()[a];
-      vy = state.vy()[b] - state.vy()[a];
-      vz = state.vz()[b] - state.vz()[a];
-      c = list.damping[s];
+  VectorAdds(ForceSums<Real>& sums, const std::uint8_t* shared)
+      : x_(sums.x()), y_(sums.y()), z_(sums.z()), packed_(sums.packed()), shared_(shared) {}
+
+  /// To the particles from `i` on.
+  HWY_INLINE void add(std::size_t i, const Vector3<V>& force) const {
+    if (is_shared(i) || is_shared(i + hn::MaxLanes(D()) - 1)) {
+      add_lanes(i, force);
+      return;
     }
-    const Real factor =
-        spring_factor<Real, damped>(dx, dy, dz, vx, vy, vz, list.stiffness[s], list.rest_length[s], c);
-    add<Real, adds>(force.x[a], factor * dx);
-    add<Real, adds>(force.y[a], factor * dy);
-    add<Real, adds>(force.z[a], factor * dz);
-    add<Real, adds>(force.x[b], -factor * dx);
-    add<Real, adds>(force.y[b], -factor * dy);
-    add<Real, adds>(force.z[b], -factor * dz);
+    const D d;
+    hn::StoreU(hn::Add(hn::LoadU(d, x_ + i), force.x), d, x_ + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, y_ + i), force.y), d, y_ + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, z_ + i), force.z), d, z_ + i);
   }
+
+  /// To the neighbours of some lanes of the block that begins at particle `block`, one after the other:
+  /// several may be the same particle.
+  template <class Offset>
+  HWY_INLINE void add(std::size_t block, const Offset* offsets, const Vector3<V>& force) const {
+    const D d;
+    alignas(cache_line) Real lanes[hn::MaxLanes(D()) * packed_width];
+    store_packed(d, force.x, force.y, force.z, lanes);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      const std::ptrdiff_t place =
+          std::ptrdiff_t(block * packed_width) +
+          std::ptrdiff_t(offsets[lane]) * std::ptrdiff_t(offset_bytes / sizeof(Real));
+      add_one(std::size_t(place), lanes + lane * packed_width);
+    }
+  }
+
+ private:
+  HWY_INLINE bool is_shared(std::size_t i) const { return shared_ != nullptr && shared_[i / block_size]; }
+
+  HWY_NOINLINE void add_lanes(std::size_t i, const Vector3<V>& force) const {
+    const D d;
+    alignas(cache_line) Real lanes[hn::MaxLanes(D())];
+    const auto add_axis = [&](V value, Real* sums) HWY_ATTR {
+      hn::Store(value, d, lanes);
+      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) add_atomically(sums[lane], lanes[lane]);
+    };
+    add_axis(force.x, x_ + i);
+    add_axis(force.y, y_ + i);
+    add_axis(force.z, z_ + i);
+  }
+
+  HWY_INLINE void add_one(std::size_t place, const Real* force) const {
+    if (is_shared(place / packed_width)) {
+      for (std::size_t axis = 0; axis < 3; ++axis) add_atomically(packed_[place + axis], force[axis]);
+      return;
+    }
+    const hn::CappedTag<Real, packed_width> d;
+    for (std::size_t axis = 0; axis < packed_width; axis += hn::Lanes(d)) {
+      Real* const sum = packed_ + place + axis;
+      hn::Store(hn::Add(hn::Load(d, sum), hn::Load(d, force + axis)), d, sum);
+    }
+  }
+
+  Real *x_, *y_, *z_, *packed_;
+  const std::uint8_t* shared_;
+};
+
+/// Scatters the forces of the springs at the lanes of one vector in a block.
+template <class Real, bool damped, class Offset>
+class LaneScatter {
+ public:
+  using D = typename VectorAdds<Real>::D;
+  using V = typename VectorAdds<Real>::V;
+
+  LaneScatter(const Slots<Real>& slots, const State<Real>& state, const VectorAdds<Real>& sums)
+      : slots_(slots), offsets_(offsets_of(slots)), state_(state), sums_(sums) {}
+
+  /// The springs at `vectors` vectors of lanes, the first from particle `first` on, each a block further on
+  /// than the one before; all have the list of slots `list`. The first is at lane `lane` of its block.
+  template <std::size_t vectors>
+  HWY_INLINE void scatter(const typename Slots<Real>::List& list, std::size_t first, std::size_t lane) const {
+    Ends own[vectors];
+    Vector3<V> sum[vectors];
+    for (std::size_t v = 0; v < vectors; ++v) {
+      own[v] = at(first + v * block_size);
+      sum[v] = {hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
+    }
+    for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
+      const auto& slot = slots_.slots[s];
+      const SpringRows<V> springs = rows(slot, lane);
+      for (std::size_t v = 0; v < vectors; ++v) {
+        const std::size_t other = first + v * block_size + std::size_t(slot.shift);
+        const Vector3<V> force = force_on_other(own[v], at(other), springs);
+        sum[v] = sum[v] - force;
+        sums_.add(other, force);
+      }
+    }
+    if constexpr (vectors == 1) {
+      for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
+        const auto& slot = slots_.slots[s];
+        const Offset* offsets = offsets_ + std::size_t(slot.neighbours) * block_size + lane;
+        const Vector3<V> force = force_on_other(own[0], at(first - lane, offsets), rows(slot, lane));
+        sum[0] = sum[0] - force;
+        sums_.add(first - lane, offsets, force);
+      }
+    }
+    for (std::size_t v = 0; v < vectors; ++v) sums_.add(first + v * block_size, sum[v]);
+  }
+
+ private:
+  /// Positions of some particles and, where springs are damped, their velocities.
+  struct Ends {
+    Vector3<V> position, velocity;
+  };
+
+  static const Offset* offsets_of(const Slots<Real>& slots) {
+    if constexpr (sizeof(Offset) == sizeof(std::int16_t))
+      return slots.short_offsets.data();
+    else
+      return slots.long_offsets.data();
+  }
+
+  HWY_INLINE Ends at(std::size_t i) const {
+    Ends ends;
+    ends.position = load3(D(), state_.x() + i, state_.y() + i, state_.z() + i);
+    if constexpr (damped) ends.velocity = load3(D(), state_.vx() + i, state_.vy() + i, state_.vz() + i);
+    return ends;
+  }
+
+  HWY_INLINE Ends at(std::size_t block, const Offset* offsets) const {
+    const std::size_t base = block * packed_width;
+    Ends ends;
+    ends.position = load_packed(D(), state_.packed_positions() + base, offsets);
+    if constexpr (damped) ends.velocity = load_packed(D(), state_.packed_velocities() + base, offsets);
+    return ends;
+  }
+
+  HWY_INLINE SpringRows<V> rows(const typename Slots<Real>::Slot& slot, std::size_t lane) const {
+    SpringRows<V> rows;
+    rows.stiffness = hn::Load(D(), slots_.row(slot.stiffness) + lane);
+    rows.half_pull = hn::Load(D(), slots_.row(slot.half_pull) + lane);
+    if constexpr (damped) rows.quarter_damping = hn::Load(D(), slots_.row(slot.quarter_damping) + lane);
+    return rows;
+  }
+
+  HWY_INLINE static Vector3<V> force_on_other(const Ends& own, const Ends& other, const SpringRows<V>& rows) {
+    const Vector3<V> apart = own.position - other.position;
+    Vector3<V> velocity;
+    if constexpr (damped) velocity = own.velocity - other.velocity;
+    const V factor = spring_factor<damped>(D(), apart, velocity, rows);
+    return {hn::Mul(factor, apart.x), hn::Mul(factor, apart.y), hn::Mul(factor, apart.z)};
+  }
+
+  const Slots<Real>& slots_;
+  const Offset* offsets_;
+  const State<Real>& state_;
+  const VectorAdds<Real>& sums_;
+};
+
+template <bool damped, class Offset, class Real>
+void scatter(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
+             const VectorAdds<Real>& sums) {
+  const typename VectorAdds<Real>::D d;
+  const LaneScatter<Real, damped, Offset> lanes(slots, state, sums);
+  for (std::size_t block = begin; block < end;) {
+    const auto& list = slots.list(block);
+    // Two blocks at once hide the latency of a vector that is a whole block.
+    if (hn::MaxLanes(d) == block_size && block + 1 < end &&
+        slots.list_of_block[block + 1] == slots.list_of_block[block] && list.first_indexed == list.end) {
+      lanes.template scatter<2>(list, block * block_size, 0);
+      block += 2;
+      continue;
+    }
+    for (std::size_t lane = 0; lane < block_size; lane += hn::Lanes(d))
+      lanes.template scatter<1>(list, block * block_size + lane, lane);
+    ++block;
+  }
+}
+
+template <class Real>
+void scatter_any(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
+                 const std::uint8_t* shared, ForceSums<Real>& sums) {
+  const VectorAdds<Real> adds(sums, shared);
+  const auto scatter_with = [&]<class Offset>(Offset) {
+    slots.damped ? scatter<true, Offset>(slots, state, begin, end, adds)
+                 : scatter<false, Offset>(slots, state, begin, end, adds);
+  };
+  slots.long_offsets.empty() ? scatter_with(std::int16_t{}) : scatter_with(std::int32_t{});
 }
 
 }  // namespace
 
-template <class Real>
-void scatter_springs(const SpringList<Real>& list, std::size_t begin, std::size_t end,
-                     const State<Real>& state, Adds adds, ForceArrays<Real>& force) {
+void scatter_float(const Slots<float>& slots, const State<float>& state, std::size_t begin, std::size_t end,
+                   const std::uint8_t* shared, ForceSums<float>& sums) {
+  scatter_any(slots, state, begin, end, shared, sums);
+}
+
+void scatter_double(const Slots<double>& slots, const State<double>& state, std::size_t begin,
+                    std::size_t end, const std::uint8_t* shared, ForceSums<double>& sums) {
+  scatter_any(slots, state, begin, end, shared, sums);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hooke {
+namespace {
+
+HWY_EXPORT(scatter_float);
+HWY_EXPORT(scatter_double);
+
+}  // namespace
+
+template <>
+void scatter_springs(const Slots<float>& slots, const State<float>& state, std::size_t begin, std::size_t end,
+                     const std::uint8_t* shared, ForceSums<float>& sums) {
   const FlushSubnormals flush;
-  const bool damped = !list.damping.empty();
-  if (adds == Adds::atomic) {
-    damped ? scatter<Real, true, Adds::atomic>(list, begin, end, state, force)
-           : scatter<Real, false, Adds::atomic>(list, begin, end, state, force);
-  } else {
-    damped ? scatter<Real, true, Adds::plain>(list, begin, end, state, force)
-           : scatter<Real, false, Adds::plain>(list, begin, end, state, force);
-  }
+  HWY_DYNAMIC_DISPATCH(scatter_float)(slots, state, begin, end, shared, sums);
 }
 
-template <class Real>
-SpringMeasure measure_listed(const SpringList<Real>& list, std::size_t begin, std::size_t end,
-                             const State<Real>& state) {
-  SpringMeasure measure;
-  for (std::size_t s = begin; s < end; ++s) {
-    const Index a = list.first[s], b = list.second[s];
-    const double length =
-        std::hypot(double(state.x()[b]) - double(state.x()[a]), double(state.y()[b]) - double(state.y()[a]),
-                   double(state.z()[b]) - double(state.z()[a]));
-    const double stiffness = double(list.stiffness[s]);
-    measure.add_spring(length, stiffness, stiffness * double(list.rest_length[s]));
-  }
-  return measure;
+template <>
+void scatter_springs(const Slots<double>& slots, const State<double>& state, std::size_t begin,
+                     std::size_t end, const std::uint8_t* shared, ForceSums<double>& sums) {
+  const FlushSubnormals flush;
+  HWY_DYNAMIC_DISPATCH(scatter_double)(slots, state, begin, end, shared, sums);
 }
-
-template void scatter_springs(const SpringList<float>&, std::size_t, std::size_t, const State<float>&, Adds,
-                              ForceArrays<float>&);
-template void scatter_springs(const SpringList<double>&, std::size_t, std::size_t, const State<double>&, Adds,
-                              ForceArrays<double>&);
-template SpringMeasure measure_listed(const SpringList<float>&, std::size_t, std::size_t,
-                                      const State<float>&);
-template SpringMeasure measure_listed(const SpringList<double>&, std::size_t, std::size_t,
-                                      const State<double>&);
 
 }  // namespace hooke
+#endif

@@ -1,47 +1,64 @@
 #pragma once
 
+#include <cstdint>
+
 #include "aligned.h"
-#include "kernels/spring_measure.h"
-#include "model/colouring.h"
+#include "model/slots.h"
 #include "state.h"
 #include "strip.h"
 
 namespace hooke {
 
-/// Force sums [N] of all particles, in whole blocks, for the modes that scatter.
+/// Force sums [N] of all particles for the modes that scatter, with guards as in the State. What vectors add
+/// goes to arrays; what springs of indexed slots add to their other ends, one by one, to packed vectors.
 template <class Real>
-struct ForceArrays {
-  explicit ForceArrays(std::size_t particles) : x(block_count(particles) * block_size, Real(0)), y(x), z(x) {}
+class ForceSums {
+ public:
+  ForceSums(std::size_t particles, bool any_indexed)
+      : stride_(State<Real>::array_stride(particles)),
+        values_(3 * stride_, Real(0)),
+        packed_(any_indexed ? block_count(particles) * block_size * packed_width : 0, Real(0)) {}
 
-  AlignedVector<Real> x, y, z;
+  Real* x() { return array(0); }
+  Real* y() { return array(1); }
+  Real* z() { return array(2); }
+  Real* packed() { return packed_.data(); }
 
-  std::size_t bytes() const { return (x.capacity() + y.capacity() + z.capacity()) * sizeof(Real); }
+  std::size_t bytes() const { return (values_.capacity() + packed_.capacity()) * sizeof(Real); }
+
+  void clear() {
+    std::fill(values_.begin(), values_.end(), Real(0));
+    std::fill(packed_.begin(), packed_.end(), Real(0));
+  }
 
   /// Hands the sums of one strip over and leaves zeros for the next step.
   void take(const Strip<Real>& strip, StripForce<Real>& force) {
-    take(x.data() + strip.first, strip.lanes, force.x);
-    take(y.data() + strip.first, strip.lanes, force.y);
-    take(z.data() + strip.first, strip.lanes, force.z);
+    Real* const out[3] = {force.x, force.y, force.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::copy_n(array(axis) + strip.first, strip.lanes, out[axis]);
+      std::fill_n(array(axis) + strip.first, strip.lanes, Real(0));
+    }
+    if (packed_.empty()) return;
+    Real* const packed = packed_.data() + strip.first * packed_width;
+    for (std::size_t lane = 0; lane < strip.lanes; ++lane) {
+      for (std::size_t axis = 0; axis < 3; ++axis) out[axis][lane] += packed[lane * packed_width + axis];
+    }
+    std::fill_n(packed, strip.lanes * packed_width, Real(0));
   }
 
  private:
-  static void take(Real* sums, std::size_t lanes, Real* force) {
-    std::copy_n(sums, lanes, force);
-    std::fill_n(sums, lanes, Real(0));
-  }
+  Real* array(std::size_t which) { return values_.data() + which * stride_ + block_size; }
+
+  std::size_t stride_;
+  AlignedVector<Real> values_, packed_;
 };
 
-/// Adds the forces of the springs [begin, end) of the list to both ends of each: with plain adds, so no other
-/// thread may run a spring that shares a particle, or with atomic ones.
-enum class Adds { plain, atomic };
-
+/// Adds the forces of the springs in the slots of the blocks [begin, end), each spring in one slot, to both
+/// of its ends. To the blocks marked in `shared`, which has a mark for each block and the guard behind the
+/// last, it adds atomically; to the others, and to all where it is null, no other thread may add meanwhile.
+/// The state has packed copies as for gather_springs.
 template <class Real>
-void scatter_springs(const SpringList<Real>& list, std::size_t begin, std::size_t end,
-                     const State<Real>& state, Adds adds, ForceArrays<Real>& force);
-
-/// What the springs [begin, end) of the list hold.
-template <class Real>
-SpringMeasure measure_listed(const SpringList<Real>& list, std::size_t begin, std::size_t end,
-                             const State<Real>& state);
+void scatter_springs(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
+                     const std::uint8_t* shared, ForceSums<Real>& sums);
 
 }  // namespace hooke

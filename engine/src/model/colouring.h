@@ -1,37 +1,53 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include <hooke/scene.h>
-
-#include "aligned.h"
-#include "model/order.h"
+#include "model/slots.h"
 
 namespace hooke {
 
-/// The springs as a list, in the engine's order, for scattering forces. It is cut into batches; one batch
-/// after the other is run.
+/// The springs in batches, for scattering forces. A batch is the springs in the slots of a run of consecutive
+/// blocks; each spring is there once, at its lower end. A batch writes to its own blocks and to those that
+/// its springs lead to.
+///
+/// Batches are sorted by colour. Those of one colour run at the same time, in any order, colours one after
+/// the other. As a batch's springs have a fixed order, so have the terms of each sum where batches of one
+/// colour write to no common block.
 template <class Real>
-struct SpringList {
-  std::vector<Index> first, second;
-  AlignedVector<Real> stiffness, rest_length;  ///< [N/m], [m]
-  AlignedVector<Real> damping;                 ///< [N s/m]; empty where no spring is damped
-  std::vector<std::size_t> batch_begin;        ///< one more than there are batches
-  bool last_batch_serial = false;  ///< the springs of the last batch share particles, so one thread runs it
+struct SpringBatches {
+  Slots<Real> slots;
+  std::size_t batch_blocks = 1;           ///< in each batch but the last
+  std::vector<std::uint32_t> batches;     ///< their numbers, colour by colour
+  std::vector<std::size_t> colour_begin;  ///< in `batches`; one more than there are colours
+  /// For each block and the guard behind the last whether several batches write to it; empty where no two of
+  /// one colour do.
+  std::vector<std::uint8_t> shared;
 
-  std::size_t size() const { return first.size(); }
-  std::size_t batches() const { return batch_begin.size() - 1; }
+  std::size_t colours() const { return colour_begin.size() - 1; }
+  std::size_t begin(std::size_t batch) const { return batch * batch_blocks; }
+  std::size_t end(std::size_t batch) const {
+    return std::min(slots.list_of_block.size(), (batch + 1) * batch_blocks);
+  }
   std::size_t bytes() const;
 };
 
-/// One batch of all springs, sorted by their ends: for atomic adds.
+/// Blocks in a batch, so that nearly all springs lead no further than to the batch behind their own: two
+/// colours do then.
 template <class Real>
-SpringList<Real> list_springs(const Springs& springs, const Order& order);
+std::size_t coloured_batch_blocks(const Slots<Real>& slots);
 
-/// Batches in which no two springs share a particle: a greedy edge colouring. What more than a few hundred
-/// colours do not hold, at hubs with thousands of springs, goes into a last batch for one thread.
+/// Colours so that two batches that write to a common block have different ones, greedily. Where springs join
+/// particles anywhere, all batches do, and each has its own colour.
 template <class Real>
-SpringList<Real> colour_springs(const Springs& springs, const Order& order);
+SpringBatches<Real> colour_batches(Slots<Real> slots, std::size_t batch_blocks);
+
+/// Blocks in a batch, a few for each thread: the fewer batches, the fewer blocks are shared.
+std::size_t atomic_batch_blocks(std::size_t blocks, unsigned threads);
+
+/// All batches in one colour, for atomic adds to the blocks that they share.
+template <class Real>
+SpringBatches<Real> share_batches(Slots<Real> slots, std::size_t batch_blocks);
 
 }  // namespace hooke

@@ -23,10 +23,14 @@ typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const
   switch (accumulation) {
     case Accumulation::gather:
       return make_slots<Real>(springs, adjacency, order, executor);
-    case Accumulation::coloured:
-      return colour_springs<Real>(springs, order);
+    case Accumulation::coloured: {
+      Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, SpringEnds::lower);
+      const std::size_t batch_blocks = coloured_batch_blocks(slots);
+      return colour_batches(std::move(slots), batch_blocks);
+    }
     case Accumulation::atomic:
-      return list_springs<Real>(springs, order);
+      return share_batches(make_slots<Real>(springs, adjacency, order, executor, SpringEnds::lower),
+                           atomic_batch_blocks(block_count(order.size()), executor.threads()));
   }
   return std::monostate{};
 }
@@ -46,8 +50,14 @@ Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& exec
 }
 
 template <class Real>
+const Slots<Real>* slots_of(const Model<Real>& model) {
+  const auto* batches = std::get_if<SpringBatches<Real>>(&model.spring_layout);
+  return batches != nullptr ? &batches->slots : std::get_if<Slots<Real>>(&model.spring_layout);
+}
+
+template <class Real>
 Packed packed_for(const Model<Real>& model) {
-  const auto* slots = std::get_if<Slots<Real>>(&model.spring_layout);
+  const Slots<Real>* slots = slots_of(model);
   if (slots == nullptr || !slots->any_indexed()) return Packed::none;
   return slots->damped ? Packed::positions_and_velocities : Packed::positions;
 }
@@ -67,6 +77,8 @@ State<Real> initial_state(const Scene& scene, const Model<Real>& model) {
 
 template struct Model<float>;
 template struct Model<double>;
+template const Slots<float>* slots_of(const Model<float>&);
+template const Slots<double>* slots_of(const Model<double>&);
 template Packed packed_for(const Model<float>&);
 template Packed packed_for(const Model<double>&);
 template State<float> initial_state(const Scene&, const Model<float>&);

@@ -18,7 +18,7 @@ namespace hooke {
 template <class Real>
 struct Model {
   /// Springs in the one layout that the accumulation mode reads; none where the scene has no springs.
-  using SpringLayout = std::variant<std::monostate, Slots<Real>, SpringList<Real>>;
+  using SpringLayout = std::variant<std::monostate, Slots<Real>, SpringBatches<Real>>;
 
   Order order;
   std::size_t springs = 0;
@@ -31,6 +31,10 @@ struct Model {
 
   std::size_t particles() const { return order.size(); }
 };
+
+/// The slots of the model's springs, in whichever layout they are; null where there are none.
+template <class Real>
+const Slots<Real>* slots_of(const Model<Real>& model);
 
 /// The packed copies of the state that its springs are read from.
 template <class Real>

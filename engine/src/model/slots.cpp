@@ -86,10 +86,12 @@ template <class Real>
 class SlotMaker {
  public:
   /// With `only_shifts` every spring gets into a shift slot, however few lanes it fills.
-  SlotMaker(const Springs& springs, const Adjacency& adjacency, const Order& order, bool only_shifts)
+  SlotMaker(const Springs& springs, const Adjacency& adjacency, const Order& order, SpringEnds ends,
+            bool only_shifts)
       : springs_(springs),
         adjacency_(adjacency),
         order_(order),
+        ends_(ends),
         least_lanes_(only_shifts ? 1 : least_shift_lanes) {}
 
   void add_block(std::size_t block) {
@@ -123,6 +125,7 @@ class SlotMaker {
       for (std::size_t k = adjacency_.begin[user]; k < adjacency_.begin[user + 1]; ++k) {
         const Index spring = adjacency_.springs[k];
         const Index neighbour = order_.engine(other_end(springs_, spring, user));
+        if (ends_ == SpringEnds::lower && neighbour < e) continue;
         halves_.push_back({std::int64_t(neighbour) - std::int64_t(e), std::uint32_t(e - first), spring});
       }
     }
@@ -250,6 +253,7 @@ class SlotMaker {
   const Springs& springs_;
   const Adjacency& adjacency_;
   const Order& order_;
+  SpringEnds ends_;
   std::size_t least_lanes_;
   std::vector<HalfSpring> halves_, rest_, by_stiffness_, again_, repeated_;
   std::vector<std::size_t> groups_;
@@ -308,12 +312,12 @@ void shorten_offsets(Slots<Real>& slots) {
 
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
-                       Executor& executor, bool only_shifts) {
+                       Executor& executor, SpringEnds ends, bool only_shifts) {
   // Runs of a fixed length, so that the layout does not depend on the number of threads.
   constexpr std::size_t blocks_in_run = 1024;
   const std::size_t blocks = block_count(order.size());
   const std::size_t run_count = (blocks + blocks_in_run - 1) / blocks_in_run;
-  std::vector<SlotMaker<Real>> runs(run_count, SlotMaker<Real>(springs, adjacency, order, only_shifts));
+  std::vector<SlotMaker<Real>> runs(run_count, SlotMaker<Real>(springs, adjacency, order, ends, only_shifts));
   executor.parallel_for(run_count, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t run = begin; run < end; ++run) {
       const std::size_t last = std::min(blocks, (run + 1) * blocks_in_run);
@@ -322,6 +326,7 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
   });
   Slots<Real> slots;
   slots.damped = !springs.damping.empty();
+  slots.ends = ends;
   reserve(slots, runs);
   for (const SlotMaker<Real>& run : runs) append(slots, run);
   shorten_offsets(slots);
@@ -332,16 +337,16 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
 
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
-                       Executor& executor) {
+                       Executor& executor, SpringEnds ends) {
   if (order.size() > most_particles) {
-    throw std::length_error("gather: there are " + std::to_string(order.size()) + " particles; use at most " +
-                            std::to_string(most_particles) + ", or another accumulation");
+    throw std::length_error("there are " + std::to_string(order.size()) + " particles with springs; use at most " +
+                            std::to_string(most_particles));
   }
   if (order.is_identity()) {
-    Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, true);
+    Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, ends, true);
     if (count_slots(slots, springs.size()).empty_share() <= most_empty_lanes) return slots;
   }
-  return make_slots<Real>(springs, adjacency, order, executor, false);
+  return make_slots<Real>(springs, adjacency, order, executor, ends, false);
 }
 
 template <class Real>
@@ -359,7 +364,7 @@ SlotCount count_slots(const Slots<Real>& slots, std::size_t springs) {
     count.slots += list.end - list.first_shift;
     count.shift_slots += list.first_indexed - list.first_shift;
   }
-  count.empty_lanes = count.slots * block_size - 2 * springs;
+  count.empty_lanes = count.slots * block_size - std::size_t(slots.ends) * springs;
   return count;
 }
 
@@ -367,7 +372,7 @@ template SlotCount count_slots(const Slots<float>&, std::size_t);
 template SlotCount count_slots(const Slots<double>&, std::size_t);
 template struct Slots<float>;
 template struct Slots<double>;
-template Slots<float> make_slots(const Springs&, const Adjacency&, const Order&, Executor&);
-template Slots<double> make_slots(const Springs&, const Adjacency&, const Order&, Executor&);
+template Slots<float> make_slots(const Springs&, const Adjacency&, const Order&, Executor&, SpringEnds);
+template Slots<double> make_slots(const Springs&, const Adjacency&, const Order&, Executor&, SpringEnds);
 
 }  // namespace hooke

@@ -21,8 +21,13 @@ inline constexpr std::size_t offset_bytes = 8;
 template <class Real>
 inline constexpr std::int32_t offsets_of_particle = std::int32_t(packed_width * sizeof(Real) / offset_bytes);
 
-/// The springs as each particle sees them, for gathering forces: for each block of 16 particles a list of
-/// slots, each with one neighbour and one spring for each lane. A spring is in two slots, once for each end.
+/// The ends at which a spring is in a slot: both, for gathering forces, or that with the lower number in the
+/// engine's order, for scattering them. The value counts the slots of a spring.
+enum class SpringEnds { lower = 1, both = 2 };
+
+/// The springs as each particle sees them: for each block of 16 particles a list of slots, each with one
+/// neighbour and one spring for each lane. A spring is in two slots, once for each end, or only in that of
+/// its lower end.
 ///
 /// - A shift slot joins particle i to i + shift in every lane: plain vector loads. On a grid all slots are of
 /// this kind.
@@ -57,6 +62,7 @@ struct Slots {
   /// kernels/spring-inl.h wants them.
   AlignedVector<Real> values;
   bool damped = false;
+  SpringEnds ends = SpringEnds::both;
 
   const List& list(std::size_t block) const { return lists[list_of_block[block]]; }
   const Real* row(std::uint32_t number) const { return values.data() + std::size_t(number) * block_size; }
@@ -85,6 +91,6 @@ SlotCount count_slots(const Slots<Real>& slots, std::size_t springs);
 
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
-                       Executor& executor);
+                       Executor& executor, SpringEnds ends = SpringEnds::both);
 
 }  // namespace hooke
