@@ -17,7 +17,7 @@ namespace {
 
 /// Adding zero would change no sum; most lanes of an atomic add have a spring, and some have none.
 template <class Real>
-HWY_INLINE void add_atomically(Real& sum, Real value) {
+HWY_INLINE void add_atomically(Real value, Real& sum) {
   if (value != Real(0)) std::atomic_ref<Real>(sum).fetch_add(value, std::memory_order_relaxed);
 }
 
@@ -33,14 +33,15 @@ class VectorAdds {
 
   /// To the particles from `i` on.
   HWY_INLINE void add(std::size_t i, const Vector3<V>& force) const {
-    if (is_shared(i) || is_shared(i + hn::MaxLanes(D()) - 1)) {
-      add_lanes(i, force);
-      return;
+    if (shared_ != nullptr && (is_shared(i) || is_shared(i + hn::MaxLanes(D()) - 1))) {
+      add_lanes_atomically(force.x, x_ + i);
+      add_lanes_atomically(force.y, y_ + i);
+      add_lanes_atomically(force.z, z_ + i);
+    } else {
+      add_lanes(force.x, x_ + i);
+      add_lanes(force.y, y_ + i);
+      add_lanes(force.z, z_ + i);
     }
-    const D d;
-    hn::StoreU(hn::Add(hn::LoadU(d, x_ + i), force.x), d, x_ + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, y_ + i), force.y), d, y_ + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, z_ + i), force.z), d, z_ + i);
   }
 
   /// To the neighbours of some lanes of the block that begins at particle `block`, one after the other:
@@ -48,41 +49,46 @@ class VectorAdds {
   template <class Offset>
   HWY_INLINE void add(std::size_t block, const Offset* offsets, const Vector3<V>& force) const {
     const D d;
-    alignas(cache_line) Real lanes[hn::MaxLanes(D()) * packed_width];
-    store_packed(d, force.x, force.y, force.z, lanes);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-      const std::ptrdiff_t place =
-          std::ptrdiff_t(block * packed_width) +
-          std::ptrdiff_t(offsets[lane]) * std::ptrdiff_t(offset_bytes / sizeof(Real));
-      add_one(std::size_t(place), lanes + lane * packed_width);
+    alignas(cache_line) Real forces[hn::MaxLanes(D()) * packed_width];
+    store_packed(d, force.x, force.y, force.z, forces);
+    Real* const sums = packed_ + block * packed_width;
+    constexpr auto unit = std::ptrdiff_t(offset_bytes / sizeof(Real));
+    if (shared_ == nullptr) {
+      for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane)
+        add_particle(forces + lane * packed_width, sums + unit * offsets[lane]);
+      return;
+    }
+    for (std::size_t lane = 0; lane < hn::MaxLanes(D()); ++lane) {
+      const auto i = std::ptrdiff_t(block) + offsets[lane] / offsets_of_particle<Real>;
+      Real* const sum = sums + unit * offsets[lane];
+      is_shared(std::size_t(i)) ? add_particle_atomically(forces + lane * packed_width, sum)
+                                : add_particle(forces + lane * packed_width, sum);
     }
   }
 
  private:
-  HWY_INLINE bool is_shared(std::size_t i) const { return shared_ != nullptr && shared_[i / block_size]; }
+  HWY_INLINE bool is_shared(std::size_t i) const { return shared_[i / block_size] != 0; }
 
-  HWY_NOINLINE void add_lanes(std::size_t i, const Vector3<V>& force) const {
+  HWY_INLINE static void add_lanes(V value, Real* sums) {
     const D d;
-    alignas(cache_line) Real lanes[hn::MaxLanes(D())];
-    const auto add_axis = [&](V value, Real* sums) HWY_ATTR {
-      hn::Store(value, d, lanes);
-      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) add_atomically(sums[lane], lanes[lane]);
-    };
-    add_axis(force.x, x_ + i);
-    add_axis(force.y, y_ + i);
-    add_axis(force.z, z_ + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, sums), value), d, sums);
   }
 
-  HWY_INLINE void add_one(std::size_t place, const Real* force) const {
-    if (is_shared(place / packed_width)) {
-      for (std::size_t axis = 0; axis < 3; ++axis) add_atomically(packed_[place + axis], force[axis]);
-      return;
-    }
+  static HWY_NOINLINE void add_lanes_atomically(V value, Real* sums) {
+    const D d;
+    alignas(cache_line) Real lanes[hn::MaxLanes(D())];
+    hn::Store(value, d, lanes);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) add_atomically(lanes[lane], sums[lane]);
+  }
+
+  HWY_INLINE static void add_particle(const Real* force, Real* sum) {
     const hn::CappedTag<Real, packed_width> d;
-    for (std::size_t axis = 0; axis < packed_width; axis += hn::Lanes(d)) {
-      Real* const sum = packed_ + place + axis;
-      hn::Store(hn::Add(hn::Load(d, sum), hn::Load(d, force + axis)), d, sum);
-    }
+    for (std::size_t axis = 0; axis < packed_width; axis += hn::Lanes(d))
+      hn::Store(hn::Add(hn::Load(d, sum + axis), hn::Load(d, force + axis)), d, sum + axis);
+  }
+
+  HWY_INLINE static void add_particle_atomically(const Real* force, Real* sum) {
+    for (std::size_t axis = 0; axis < 3; ++axis) add_atomically(force[axis], sum[axis]);
   }
 
   Real *x_, *y_, *z_, *packed_;
@@ -97,7 +103,18 @@ class LaneScatter {
   using V = typename VectorAdds<Real>::V;
 
   LaneScatter(const Slots<Real>& slots, const State<Real>& state, const VectorAdds<Real>& sums)
-      : slots_(slots), offsets_(offsets_of(slots)), state_(state), sums_(sums) {}
+      : slots_(slots.slots.data()),
+        values_(slots.values.data()),
+        offsets_(offsets_of(slots)),
+        x_(state.x()),
+        y_(state.y()),
+        z_(state.z()),
+        vx_(state.vx()),
+        vy_(state.vy()),
+        vz_(state.vz()),
+        packed_positions_(state.packed_positions()),
+        packed_velocities_(state.packed_velocities()),
+        sums_(sums) {}
 
   /// The springs at `vectors` vectors of lanes, the first from particle `first` on, each a block further on
   /// than the one before; all have the list of slots `list`. The first is at lane `lane` of its block.
@@ -110,7 +127,7 @@ class LaneScatter {
       sum[v] = {hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
     }
     for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
-      const auto& slot = slots_.slots[s];
+      const auto& slot = slots_[s];
       const SpringRows<V> springs = rows(slot, lane);
       for (std::size_t v = 0; v < vectors; ++v) {
         const std::size_t other = first + v * block_size + std::size_t(slot.shift);
@@ -121,7 +138,7 @@ class LaneScatter {
     }
     if constexpr (vectors == 1) {
       for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
-        const auto& slot = slots_.slots[s];
+        const auto& slot = slots_[s];
         const Offset* offsets = offsets_ + std::size_t(slot.neighbours) * block_size + lane;
         const Vector3<V> force = force_on_other(own[0], at(first - lane, offsets), rows(slot, lane));
         sum[0] = sum[0] - force;
@@ -146,25 +163,29 @@ class LaneScatter {
 
   HWY_INLINE Ends at(std::size_t i) const {
     Ends ends;
-    ends.position = load3(D(), state_.x() + i, state_.y() + i, state_.z() + i);
-    if constexpr (damped) ends.velocity = load3(D(), state_.vx() + i, state_.vy() + i, state_.vz() + i);
+    ends.position = load3(D(), x_ + i, y_ + i, z_ + i);
+    if constexpr (damped) ends.velocity = load3(D(), vx_ + i, vy_ + i, vz_ + i);
     return ends;
   }
 
   HWY_INLINE Ends at(std::size_t block, const Offset* offsets) const {
     const std::size_t base = block * packed_width;
     Ends ends;
-    ends.position = load_packed(D(), state_.packed_positions() + base, offsets);
-    if constexpr (damped) ends.velocity = load_packed(D(), state_.packed_velocities() + base, offsets);
+    ends.position = load_packed(D(), packed_positions_ + base, offsets);
+    if constexpr (damped) ends.velocity = load_packed(D(), packed_velocities_ + base, offsets);
     return ends;
   }
 
   HWY_INLINE SpringRows<V> rows(const typename Slots<Real>::Slot& slot, std::size_t lane) const {
     SpringRows<V> rows;
-    rows.stiffness = hn::Load(D(), slots_.row(slot.stiffness) + lane);
-    rows.half_pull = hn::Load(D(), slots_.row(slot.half_pull) + lane);
-    if constexpr (damped) rows.quarter_damping = hn::Load(D(), slots_.row(slot.quarter_damping) + lane);
+    rows.stiffness = row(slot.stiffness, lane);
+    rows.half_pull = row(slot.half_pull, lane);
+    if constexpr (damped) rows.quarter_damping = row(slot.quarter_damping, lane);
     return rows;
+  }
+
+  HWY_INLINE V row(std::uint32_t number, std::size_t lane) const {
+    return hn::Load(D(), values_ + std::size_t(number) * block_size + lane);
   }
 
   HWY_INLINE static Vector3<V> force_on_other(const Ends& own, const Ends& other, const SpringRows<V>& rows) {
@@ -175,10 +196,12 @@ class LaneScatter {
     return {hn::Mul(factor, apart.x), hn::Mul(factor, apart.y), hn::Mul(factor, apart.z)};
   }
 
-  const Slots<Real>& slots_;
+  const typename Slots<Real>::Slot* slots_;
+  const Real* values_;
   const Offset* offsets_;
-  const State<Real>& state_;
-  const VectorAdds<Real>& sums_;
+  const Real *x_, *y_, *z_, *vx_, *vy_, *vz_;
+  const Real *packed_positions_, *packed_velocities_;
+  const VectorAdds<Real> sums_;
 };
 
 template <bool damped, class Offset, class Real>
