@@ -10,7 +10,7 @@ namespace hooke {
 namespace {
 
 /// Blocks whose springs one thread takes at a time: long enough to hide the cost of handing them out.
-constexpr std::size_t scattered_blocks = 64;
+constexpr std::size_t scattered_blocks = 128;
 
 std::string percent(double share) {
   std::ostringstream text;

@@ -52,7 +52,7 @@ Model<Real> model_in_batches(const Scene& scene, const Order& order, Accumulatio
   Model<Real> model(scene, accumulation, executor);
   model.order = order;
   const Adjacency adjacency(scene.springs, scene.particles.size());
-  Slots<Real> slots = make_slots<Real>(scene.springs, adjacency, order, executor, SpringEnds::lower);
+  Slots<Real> slots = make_slots<Real>(scene.springs, adjacency, order, executor, SpringEnds::one);
   model.spring_layout = accumulation == Accumulation::coloured
                             ? colour_batches(std::move(slots), batch_blocks)
                             : share_batches(std::move(slots), batch_blocks);

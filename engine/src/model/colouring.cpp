@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t least_coloured_blocks = 16;
 
 /// A batch for one thread of many: long, as what it shares with the next one is as long in any batch.
-constexpr std::size_t least_atomic_blocks = 64;
+constexpr std::size_t least_atomic_blocks = 256;
 
 /// Even with long springs there are as many batches as this, to run some at the same time.
 constexpr std::size_t least_batches = 16;
@@ -102,8 +102,9 @@ std::size_t coloured_batch_blocks(const Slots<Real>& slots) {
   const std::size_t blocks = slots.list_of_block.size();
   std::vector<std::size_t> reach(blocks, 0);
   for (std::size_t block = 0; block < blocks; ++block) {
-    for_each_written(slots, block,
-                     [&](std::size_t other) { reach[block] = std::max(reach[block], other - block); });
+    for_each_written(slots, block, [&](std::size_t other) {
+      reach[block] = std::max(reach[block], other > block ? other - block : block - other);
+    });
   }
   const auto most = reach.begin() + std::ptrdiff_t(nearly_all * double(blocks - 1));
   std::nth_element(reach.begin(), most, reach.end());
@@ -127,7 +128,7 @@ SpringBatches<Real> colour_batches(Slots<Real> slots, std::size_t batch_blocks) 
 }
 
 std::size_t atomic_batch_blocks(std::size_t blocks, unsigned threads) {
-  constexpr std::size_t batches_for_thread = 4;
+  constexpr std::size_t batches_for_thread = 2;
   return std::max(least_atomic_blocks, blocks / (batches_for_thread * threads));
 }
 

@@ -9,8 +9,7 @@
 namespace hooke {
 
 /// The springs in batches, for scattering forces. A batch is the springs in the slots of a run of consecutive
-/// blocks; each spring is there once, at its lower end. A batch writes to its own blocks and to those that
-/// its springs lead to.
+/// blocks; each spring is there once. A batch writes to its own blocks and to those that its springs lead to.
 ///
 /// Batches are sorted by colour. Those of one colour run at the same time, in any order, colours one after
 /// the other. As a batch's springs have a fixed order, so have the terms of each sum where batches of one
@@ -33,8 +32,8 @@ struct SpringBatches {
   std::size_t bytes() const;
 };
 
-/// Blocks in a batch, so that nearly all springs lead no further than to the batch behind their own: two
-/// colours do then.
+/// Blocks in a batch, so that nearly all springs lead no further than to the batches beside their own: two
+/// or three colours do then.
 template <class Real>
 std::size_t coloured_batch_blocks(const Slots<Real>& slots);
 

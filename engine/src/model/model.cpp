@@ -24,12 +24,12 @@ typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const
     case Accumulation::gather:
       return make_slots<Real>(springs, adjacency, order, executor);
     case Accumulation::coloured: {
-      Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, SpringEnds::lower);
+      Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, SpringEnds::one);
       const std::size_t batch_blocks = coloured_batch_blocks(slots);
       return colour_batches(std::move(slots), batch_blocks);
     }
     case Accumulation::atomic:
-      return share_batches(make_slots<Real>(springs, adjacency, order, executor, SpringEnds::lower),
+      return share_batches(make_slots<Real>(springs, adjacency, order, executor, SpringEnds::one),
                            atomic_batch_blocks(block_count(order.size()), executor.threads()));
   }
   return std::monostate{};

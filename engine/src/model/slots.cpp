@@ -7,6 +7,7 @@
 #include <string>
 
 #include "model/row_store.h"
+#include "model/spring_holders.h"
 
 namespace hooke {
 namespace {
@@ -85,13 +86,14 @@ class ListStore {
 template <class Real>
 class SlotMaker {
  public:
-  /// With `only_shifts` every spring gets into a shift slot, however few lanes it fills.
-  SlotMaker(const Springs& springs, const Adjacency& adjacency, const Order& order, SpringEnds ends,
-            bool only_shifts)
+  /// A spring is in a slot at the end in `holders`, or at both where that is empty. With `only_shifts` every
+  /// spring gets into a shift slot, however few lanes it fills.
+  SlotMaker(const Springs& springs, const Adjacency& adjacency, const Order& order,
+            const std::vector<Index>& holders, bool only_shifts)
       : springs_(springs),
         adjacency_(adjacency),
         order_(order),
-        ends_(ends),
+        holders_(holders),
         least_lanes_(only_shifts ? 1 : least_shift_lanes) {}
 
   void add_block(std::size_t block) {
@@ -125,7 +127,7 @@ class SlotMaker {
       for (std::size_t k = adjacency_.begin[user]; k < adjacency_.begin[user + 1]; ++k) {
         const Index spring = adjacency_.springs[k];
         const Index neighbour = order_.engine(other_end(springs_, spring, user));
-        if (ends_ == SpringEnds::lower && neighbour < e) continue;
+        if (!holders_.empty() && holders_[spring] != user) continue;
         halves_.push_back({std::int64_t(neighbour) - std::int64_t(e), std::uint32_t(e - first), spring});
       }
     }
@@ -149,7 +151,9 @@ class SlotMaker {
           ++used;
         }
       }
-      if (used < least_lanes_) {
+      // Scattering by vectors goes upwards only, so that the first of a vector's particles always is one.
+      const bool backward = !holders_.empty() && begin->shift < 0;
+      if (used < least_lanes_ || backward) {
         rest_.insert(rest_.end(), begin, end);
         return;
       }
@@ -253,7 +257,7 @@ class SlotMaker {
   const Springs& springs_;
   const Adjacency& adjacency_;
   const Order& order_;
-  SpringEnds ends_;
+  const std::vector<Index>& holders_;
   std::size_t least_lanes_;
   std::vector<HalfSpring> halves_, rest_, by_stiffness_, again_, repeated_;
   std::vector<std::size_t> groups_;
@@ -312,12 +316,13 @@ void shorten_offsets(Slots<Real>& slots) {
 
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
-                       Executor& executor, SpringEnds ends, bool only_shifts) {
+                       Executor& executor, const std::vector<Index>& holders, bool only_shifts) {
   // Runs of a fixed length, so that the layout does not depend on the number of threads.
   constexpr std::size_t blocks_in_run = 1024;
   const std::size_t blocks = block_count(order.size());
   const std::size_t run_count = (blocks + blocks_in_run - 1) / blocks_in_run;
-  std::vector<SlotMaker<Real>> runs(run_count, SlotMaker<Real>(springs, adjacency, order, ends, only_shifts));
+  std::vector<SlotMaker<Real>> runs(run_count,
+                                    SlotMaker<Real>(springs, adjacency, order, holders, only_shifts));
   executor.parallel_for(run_count, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t run = begin; run < end; ++run) {
       const std::size_t last = std::min(blocks, (run + 1) * blocks_in_run);
@@ -326,7 +331,7 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
   });
   Slots<Real> slots;
   slots.damped = !springs.damping.empty();
-  slots.ends = ends;
+  slots.ends = holders.empty() ? SpringEnds::both : SpringEnds::one;
   reserve(slots, runs);
   for (const SlotMaker<Real>& run : runs) append(slots, run);
   shorten_offsets(slots);
@@ -338,15 +343,17 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
 template <class Real>
 Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const Order& order,
                        Executor& executor, SpringEnds ends) {
+  std::vector<Index> holders;
+  if (ends == SpringEnds::one) holders = spring_holders(springs, adjacency, order);
   if (order.size() > most_particles) {
-    throw std::length_error("there are " + std::to_string(order.size()) + " particles with springs; use at most " +
-                            std::to_string(most_particles));
+    throw std::length_error("there are " + std::to_string(order.size()) +
+                            " particles with springs; use at most " + std::to_string(most_particles));
   }
   if (order.is_identity()) {
-    Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, ends, true);
+    Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, holders, true);
     if (count_slots(slots, springs.size()).empty_share() <= most_empty_lanes) return slots;
   }
-  return make_slots<Real>(springs, adjacency, order, executor, ends, false);
+  return make_slots<Real>(springs, adjacency, order, executor, holders, false);
 }
 
 template <class Real>

@@ -21,13 +21,13 @@ inline constexpr std::size_t offset_bytes = 8;
 template <class Real>
 inline constexpr std::int32_t offsets_of_particle = std::int32_t(packed_width * sizeof(Real) / offset_bytes);
 
-/// The ends at which a spring is in a slot: both, for gathering forces, or that with the lower number in the
-/// engine's order, for scattering them. The value counts the slots of a spring.
-enum class SpringEnds { lower = 1, both = 2 };
+/// The ends at which a spring is in a slot: both, for gathering forces, or one, for scattering them. The
+/// value counts the slots of a spring.
+enum class SpringEnds { one = 1, both = 2 };
 
 /// The springs as each particle sees them: for each block of 16 particles a list of slots, each with one
-/// neighbour and one spring for each lane. A spring is in two slots, once for each end, or only in that of
-/// its lower end.
+/// neighbour and one spring for each lane. A spring is in two slots, once for each end, or only in one
+/// (model/spring_holders.h).
 ///
 /// - A shift slot joins particle i to i + shift in every lane: plain vector loads. On a grid all slots are of
 /// this kind.
