@@ -31,7 +31,7 @@ class Forces {
   void on_strip(const Strip<Real>& strip, const State<Real>& state, double time, StripForce<Real>& force) {
     const std::size_t begin = strip.first / block_size, end = begin + strip.lanes / block_size;
     if (batches_ != nullptr) {
-      sums_.take(strip, force);
+      take_sums(strip, sums_, force);
     } else if (slots_ != nullptr) {
       gather_springs(*slots_, state, begin, end, force);
     } else {

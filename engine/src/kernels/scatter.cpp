@@ -1,5 +1,6 @@
 #include "kernels/scatter.h"
 
+#include <algorithm>
 #include <atomic>
 
 #undef HWY_TARGET_INCLUDE
@@ -235,7 +236,42 @@ void scatter_any(const Slots<Real>& slots, const State<Real>& state, std::size_t
   slots.long_offsets.empty() ? scatter_with(std::int16_t{}) : scatter_with(std::int32_t{});
 }
 
+/// Moves lanes away, and adds what the packed sums have to them.
+template <class Real>
+void take(const Strip<Real>& strip, ForceSums<Real>& sums, StripForce<Real>& force) {
+  using D = typename VectorAdds<Real>::D;
+  const D d;
+  const auto move = [&](Real* sum) HWY_ATTR {
+    const auto value = hn::LoadU(d, sum);
+    hn::StoreU(hn::Zero(d), d, sum);
+    return value;
+  };
+  for (std::size_t lane = 0; lane < strip.lanes; lane += hn::Lanes(d)) {
+    const std::size_t i = strip.first + lane;
+    auto x = move(sums.x() + i), y = move(sums.y() + i), z = move(sums.z() + i);
+    if (Real* const packed = sums.packed(); packed != nullptr) {
+      hn::Vec<D> packed_x, packed_y, packed_z, unused;
+      hn::LoadInterleaved4(d, packed + i * packed_width, packed_x, packed_y, packed_z, unused);
+      x = hn::Add(x, packed_x);
+      y = hn::Add(y, packed_y);
+      z = hn::Add(z, packed_z);
+      std::fill_n(packed + i * packed_width, hn::Lanes(d) * packed_width, Real(0));
+    }
+    hn::Store(x, d, force.x + lane);
+    hn::Store(y, d, force.y + lane);
+    hn::Store(z, d, force.z + lane);
+  }
+}
+
 }  // namespace
+
+void take_float(const Strip<float>& strip, ForceSums<float>& sums, StripForce<float>& force) {
+  take(strip, sums, force);
+}
+
+void take_double(const Strip<double>& strip, ForceSums<double>& sums, StripForce<double>& force) {
+  take(strip, sums, force);
+}
 
 void scatter_float(const Slots<float>& slots, const State<float>& state, std::size_t begin, std::size_t end,
                    const std::uint8_t* shared, ForceSums<float>& sums) {
@@ -257,6 +293,8 @@ namespace {
 
 HWY_EXPORT(scatter_float);
 HWY_EXPORT(scatter_double);
+HWY_EXPORT(take_float);
+HWY_EXPORT(take_double);
 
 }  // namespace
 
@@ -272,6 +310,16 @@ void scatter_springs(const Slots<double>& slots, const State<double>& state, std
                      std::size_t end, const std::uint8_t* shared, ForceSums<double>& sums) {
   const FlushSubnormals flush;
   HWY_DYNAMIC_DISPATCH(scatter_double)(slots, state, begin, end, shared, sums);
+}
+
+template <>
+void take_sums(const Strip<float>& strip, ForceSums<float>& sums, StripForce<float>& force) {
+  HWY_DYNAMIC_DISPATCH(take_float)(strip, sums, force);
+}
+
+template <>
+void take_sums(const Strip<double>& strip, ForceSums<double>& sums, StripForce<double>& force) {
+  HWY_DYNAMIC_DISPATCH(take_double)(strip, sums, force);
 }
 
 }  // namespace hooke

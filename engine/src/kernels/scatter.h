@@ -32,21 +32,6 @@ class ForceSums {
     std::fill(packed_.begin(), packed_.end(), Real(0));
   }
 
-  /// Hands the sums of one strip over and leaves zeros for the next step.
-  void take(const Strip<Real>& strip, StripForce<Real>& force) {
-    Real* const out[3] = {force.x, force.y, force.z};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::copy_n(array(axis) + strip.first, strip.lanes, out[axis]);
-      std::fill_n(array(axis) + strip.first, strip.lanes, Real(0));
-    }
-    if (packed_.empty()) return;
-    Real* const packed = this->packed() + strip.first * packed_width;
-    for (std::size_t lane = 0; lane < strip.lanes; ++lane) {
-      for (std::size_t axis = 0; axis < 3; ++axis) out[axis][lane] += packed[lane * packed_width + axis];
-    }
-    std::fill_n(packed, strip.lanes * packed_width, Real(0));
-  }
-
  private:
   /// Arrays of the state begin near the beginning of a page, those of the sums near its middle: with equal
   /// low address bits, loads of positions would falsely wait for sums to be stored. Irregular meshes gain a
@@ -66,5 +51,9 @@ class ForceSums {
 template <class Real>
 void scatter_springs(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
                      const std::uint8_t* shared, ForceSums<Real>& sums);
+
+/// Sets `force` to the sums of one strip and leaves zeros for the next step.
+template <class Real>
+void take_sums(const Strip<Real>& strip, ForceSums<Real>& sums, StripForce<Real>& force);
 
 }  // namespace hooke
