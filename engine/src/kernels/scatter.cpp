@@ -8,8 +8,7 @@
 #include <hwy/foreach_target.h>
 
 #include "kernels/flush_subnormals.h"
-#include "kernels/packed-inl.h"
-#include "kernels/spring-inl.h"
+#include "kernels/slot_reader-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hooke {
@@ -96,144 +95,55 @@ class VectorAdds {
   const std::uint8_t* shared_;
 };
 
-/// Scatters the forces of the springs at the lanes of one vector in a block.
-template <class Real, bool damped, class Offset>
-class LaneScatter {
- public:
-  using D = typename VectorAdds<Real>::D;
-  using V = typename VectorAdds<Real>::V;
-
-  LaneScatter(const Slots<Real>& slots, const State<Real>& state, const VectorAdds<Real>& sums)
-      : slots_(slots.slots.data()),
-        values_(slots.values.data()),
-        offsets_(offsets_of(slots)),
-        x_(state.x()),
-        y_(state.y()),
-        z_(state.z()),
-        vx_(state.vx()),
-        vy_(state.vy()),
-        vz_(state.vz()),
-        packed_positions_(state.packed_positions()),
-        packed_velocities_(state.packed_velocities()),
-        sums_(sums) {}
-
-  /// The springs at `vectors` vectors of lanes, the first from particle `first` on, each a block further on
-  /// than the one before; all have the list of slots `list`. The first is at lane `lane` of its block.
-  template <std::size_t vectors>
-  HWY_INLINE void scatter(const typename Slots<Real>::List& list, std::size_t first, std::size_t lane) const {
-    Ends own[vectors];
-    Vector3<V> sum[vectors];
-    for (std::size_t v = 0; v < vectors; ++v) {
-      own[v] = at(first + v * block_size);
-      sum[v] = {hn::Zero(D()), hn::Zero(D()), hn::Zero(D())};
-    }
-    for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
-      const auto& slot = slots_[s];
-      const SpringRows<V> springs = rows(slot, lane);
-      for (std::size_t v = 0; v < vectors; ++v) {
-        const std::size_t other = first + v * block_size + std::size_t(slot.shift);
-        const Vector3<V> force = force_on_other(own[v], at(other), springs);
-        sum[v] = sum[v] - force;
-        sums_.add(other, force);
-      }
-    }
-    if constexpr (vectors == 1) {
-      for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
-        const auto& slot = slots_[s];
-        const Offset* offsets = offsets_ + std::size_t(slot.neighbours) * block_size + lane;
-        const Vector3<V> force = force_on_other(own[0], at(first - lane, offsets), rows(slot, lane));
-        sum[0] = sum[0] - force;
-        sums_.add(first - lane, offsets, force);
-      }
-    }
-    for (std::size_t v = 0; v < vectors; ++v) sums_.add(first + v * block_size, sum[v]);
+/// Scatters the forces of the springs at `vectors` vectors of particles, the first from particle `first` on,
+/// each a block further on than the one before; all have the list of slots `list`. The first is at lane
+/// `lane` of its block.
+template <std::size_t vectors, class Real, class Reader, class List>
+HWY_INLINE void scatter(const Reader& reader, const List& list, std::size_t first, std::size_t lane,
+                        const VectorAdds<Real>& sums) {
+  using V = typename Reader::V;
+  const typename Reader::D d;
+  typename Reader::Ends own[vectors];
+  Vector3<V> sum[vectors];
+  for (std::size_t v = 0; v < vectors; ++v) {
+    own[v] = reader.at(first + v * block_size);
+    sum[v] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   }
-
- private:
-  /// Positions of some particles and, where springs are damped, their velocities.
-  struct Ends {
-    Vector3<V> position, velocity;
+  const auto take_from_own = [&](std::size_t v, const auto& other, const auto& rows) HWY_ATTR {
+    const auto force = Reader::force_on_other(own[v], other, rows);
+    const Vector3<V> product{hn::Mul(force.factor, force.apart.x), hn::Mul(force.factor, force.apart.y),
+                             hn::Mul(force.factor, force.apart.z)};
+    sum[v] = sum[v] - product;
+    return product;
   };
-
-  static const Offset* offsets_of(const Slots<Real>& slots) {
-    if constexpr (sizeof(Offset) == sizeof(std::int16_t))
-      return slots.short_offsets.data();
-    else
-      return slots.long_offsets.data();
-  }
-
-  HWY_INLINE Ends at(std::size_t i) const {
-    Ends ends;
-    ends.position = load3(D(), x_ + i, y_ + i, z_ + i);
-    if constexpr (damped) ends.velocity = load3(D(), vx_ + i, vy_ + i, vz_ + i);
-    return ends;
-  }
-
-  HWY_INLINE Ends at(std::size_t block, const Offset* offsets) const {
-    const std::size_t base = block * packed_width;
-    Ends ends;
-    ends.position = load_packed(D(), packed_positions_ + base, offsets);
-    if constexpr (damped) ends.velocity = load_packed(D(), packed_velocities_ + base, offsets);
-    return ends;
-  }
-
-  HWY_INLINE SpringRows<V> rows(const typename Slots<Real>::Slot& slot, std::size_t lane) const {
-    SpringRows<V> rows;
-    rows.stiffness = row(slot.stiffness, lane);
-    rows.half_pull = row(slot.half_pull, lane);
-    if constexpr (damped) rows.quarter_damping = row(slot.quarter_damping, lane);
-    return rows;
-  }
-
-  HWY_INLINE V row(std::uint32_t number, std::size_t lane) const {
-    return hn::Load(D(), values_ + std::size_t(number) * block_size + lane);
-  }
-
-  HWY_INLINE static Vector3<V> force_on_other(const Ends& own, const Ends& other, const SpringRows<V>& rows) {
-    const Vector3<V> apart = own.position - other.position;
-    Vector3<V> velocity;
-    if constexpr (damped) velocity = own.velocity - other.velocity;
-    const V factor = spring_factor<damped>(D(), apart, velocity, rows);
-    return {hn::Mul(factor, apart.x), hn::Mul(factor, apart.y), hn::Mul(factor, apart.z)};
-  }
-
-  const typename Slots<Real>::Slot* slots_;
-  const Real* values_;
-  const Offset* offsets_;
-  const Real *x_, *y_, *z_, *vx_, *vy_, *vz_;
-  const Real *packed_positions_, *packed_velocities_;
-  const VectorAdds<Real> sums_;
-};
-
-template <bool damped, class Offset, class Real>
-void scatter(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
-             const VectorAdds<Real>& sums) {
-  const typename VectorAdds<Real>::D d;
-  const LaneScatter<Real, damped, Offset> lanes(slots, state, sums);
-  for (std::size_t block = begin; block < end;) {
-    const auto& list = slots.list(block);
-    // Two blocks at once hide the latency of a vector that is a whole block.
-    if (hn::MaxLanes(d) == block_size && block + 1 < end &&
-        slots.list_of_block[block + 1] == slots.list_of_block[block] && list.first_indexed == list.end) {
-      lanes.template scatter<2>(list, block * block_size, 0);
-      block += 2;
-      continue;
+  for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
+    const auto& slot = reader.slot(s);
+    const auto rows = reader.rows(slot, lane);
+    for (std::size_t v = 0; v < vectors; ++v) {
+      const std::size_t other = first + v * block_size + std::size_t(slot.shift);
+      sums.add(other, take_from_own(v, reader.at(other), rows));
     }
-    for (std::size_t lane = 0; lane < block_size; lane += hn::Lanes(d))
-      lanes.template scatter<1>(list, block * block_size + lane, lane);
-    ++block;
   }
+  if constexpr (vectors == 1) {
+    for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
+      const auto& slot = reader.slot(s);
+      const auto* offsets = reader.offsets(slot, lane);
+      sums.add(first - lane, offsets,
+               take_from_own(0, reader.at(first - lane, offsets), reader.rows(slot, lane)));
+    }
+  }
+  for (std::size_t v = 0; v < vectors; ++v) sums.add(first + v * block_size, sum[v]);
 }
 
 template <class Real>
-void scatter_any(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
-                 const std::uint8_t* shared, ForceSums<Real>& sums) {
+void scatter_blocks(const Slots<Real>& slots, const State<Real>& state, std::size_t begin, std::size_t end,
+                    const std::uint8_t* shared, ForceSums<Real>& sums) {
   const VectorAdds<Real> adds(sums, shared);
-  const auto scatter_with = [&]<class Offset>(Offset) {
-    slots.damped ? scatter<true, Offset>(slots, state, begin, end, adds)
-                 : scatter<false, Offset>(slots, state, begin, end, adds);
-  };
-  slots.long_offsets.empty() ? scatter_with(std::int16_t{}) : scatter_with(std::int32_t{});
+  with_reader(slots, state, [&](const auto& reader) HWY_ATTR {
+    const auto scatter_list = [&]<std::size_t vectors>(const auto& list, std::size_t first, std::size_t lane)
+                                  HWY_ATTR { scatter<vectors>(reader, list, first, lane, adds); };
+    for_each_vector_of_blocks(slots, begin, end, scatter_list);
+  });
 }
 
 /// Moves lanes away, and adds what the packed sums have to them.
@@ -275,12 +185,12 @@ void take_double(const Strip<double>& strip, ForceSums<double>& sums, StripForce
 
 void scatter_float(const Slots<float>& slots, const State<float>& state, std::size_t begin, std::size_t end,
                    const std::uint8_t* shared, ForceSums<float>& sums) {
-  scatter_any(slots, state, begin, end, shared, sums);
+  scatter_blocks(slots, state, begin, end, shared, sums);
 }
 
 void scatter_double(const Slots<double>& slots, const State<double>& state, std::size_t begin,
                     std::size_t end, const std::uint8_t* shared, ForceSums<double>& sums) {
-  scatter_any(slots, state, begin, end, shared, sums);
+  scatter_blocks(slots, state, begin, end, shared, sums);
 }
 
 }  // namespace HWY_NAMESPACE
