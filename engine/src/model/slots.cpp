@@ -168,6 +168,7 @@ class SlotMaker {
 
   /// Indexed slots for what no shift slot took. Springs of one stiffness are kept together where that costs
   /// few slots more: then the row of stiffness is one value, which is stored once, and so is less to read.
+  /// Where each spring is in one slot, that never pays: slots are scattered from too, and so cost more.
   void add_indexed() {
     const auto stiffness = [this](const HalfSpring& half) { return springs_.stiffness[half.spring]; };
     std::stable_sort(rest_.begin(), rest_.end(),
@@ -184,7 +185,8 @@ class SlotMaker {
       groups_.push_back(std::size_t(end - by_stiffness_.cbegin()));
       begin = end;
     }
-    if (4 * slots_by_stiffness > 5 * depth(rest_.cbegin(), rest_.cend())) {
+    const bool scattered = !holders_.empty();
+    if (scattered || 4 * slots_by_stiffness > 5 * depth(rest_.cbegin(), rest_.cend())) {
       add_levels(rest_.cbegin(), rest_.cend(), false);
       return;
     }
