@@ -150,10 +150,10 @@ TEST_CASE_TEMPLATE("threads that all add to one particle lose nothing", Real, fl
   for (Index i = 0; i <= 6000; ++i) star.add_particle(1.0, Vec3::Zero());
   for (Index i = 0; i < 6000; ++i) star.add_spring(i, 6000, 1.0, 0.0);
   star = in_whole_numbers(std::move(star));
-  const auto executor = make_tbb_executor(4);
+  test::FineExecutor executor(4);
   for (auto accumulation : {Accumulation::coloured, Accumulation::atomic}) {
-    const auto model = model_in_batches<Real>(star, Order(6001, ""), accumulation, 2, *executor);
-    CHECK(wrong_particles(star, model, *executor) == 0);
+    const auto model = model_in_batches<Real>(star, Order(6001, ""), accumulation, 2, executor);
+    CHECK(wrong_particles(star, model, executor) == 0);
   }
 }
 
