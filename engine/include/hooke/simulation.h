@@ -20,9 +20,9 @@ namespace hooke {
 enum class Accumulation {
   gather,    ///< each particle sums its own springs in a fixed order: same bits on any number of threads; the
              ///< default
-  coloured,  ///< springs in groups that share no particle, one group after the other: same bits on any number
-             ///< of threads
-  atomic,    ///< all springs at once with atomic adds: not reproducible
+  coloured,  ///< batches of springs; those that share no particle at once, one colour after the other: same
+             ///< bits on any number of threads
+  atomic,    ///< all batches at once, with atomic adds where they share particles: not reproducible
 };
 
 inline constexpr std::array accumulations{Accumulation::gather, Accumulation::coloured, Accumulation::atomic};
@@ -109,8 +109,8 @@ class Simulation {
   const Plan& plan() const;
   Energy energy() const;  ///< of the newest state, summed in double in a fixed order
   Vec3 momentum() const;  ///< [kg m/s] of the particles that are not pinned
-  double max_strain()
-      const;  ///< largest (l - l0) / l0 of the springs with l0 > 0 [1]; 0 where there are none
+  /// Largest (l - l0) / l0 of the springs with stiffness and l0 > 0 [1]; 0 where there are none.
+  double max_strain() const;
 
   /// A hash of the bits of time, positions and velocities in the user's numbering: equal if and (nearly) only
   /// if they are.
