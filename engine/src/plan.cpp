@@ -1,6 +1,6 @@
 #include "plan.h"
 
-#include "methods/euler.h"
+#include <algorithm>
 
 namespace hooke {
 namespace {
@@ -10,20 +10,16 @@ namespace {
 constexpr std::size_t most_steps_at_once = 256;
 
 template <class Real>
-Sweep<Real> spring_sweep(Forces<Real>& forces) {
-  const auto run = [&forces](const Step<Real>& step, Executor& executor) {
-    forces.scatter(step.now, executor);
+Sweep<Real> spring_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
+  const auto run = [&forces, &scheme](const Substep<Real>& substep, Executor& executor) {
+    if (scheme.needs_forces(substep.stage)) forces.scatter(substep.now, executor);
   };
   return {"springs", {forces.spring_stage()}, run, {}};
 }
 
-Stage method_stage(const Method& method, std::size_t inverse_mass_bytes) {
+Stage method_stage(const Method& method, std::size_t bytes) {
   const auto name = std::visit([](const auto& data) { return std::string(data.name); }, method);
-  return {name,
-          "",
-          {"force", "position", "velocity", "inverse mass"},
-          {"position", "velocity"},
-          inverse_mass_bytes};
+  return {name, "", {"force", "position", "velocity", "inverse mass"}, {"position", "velocity"}, bytes};
 }
 
 template <class Real>
@@ -34,26 +30,28 @@ Stage pin_stage(const Model<Real>& model) {
 }
 
 template <class Real>
-Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Forces<Real>& forces) {
+Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Forces<Real>& forces,
+                           Scheme<Real>& scheme) {
   std::vector<Stage> stages = forces.strip_stages();
-  stages.push_back(method_stage(method, model.inverse_mass.bytes()));
+  stages.push_back(method_stage(method, model.inverse_mass.bytes() + scheme.bytes()));
   if (!model.moving_pins.empty()) stages.push_back(pin_stage(model));
-  const auto run = [method, &model, &forces](const Step<Real>& step, std::size_t begin, std::size_t end) {
-    std::visit([&](const auto& data) { euler_blocks(data, model, forces, step, begin, end); }, method);
+  const auto run = [&model, &forces, &scheme](const Substep<Real>& substep, std::size_t begin,
+                                              std::size_t end) {
+    scheme.run_blocks(substep, model, forces, begin, end);
     const auto pins = pins_between(model.moving_pins, begin * block_size, end * block_size);
-    move_pins(pins, step.time_after, step.next);
+    move_pins(pins, substep.time_after, substep.next);
   };
   return {"particles", std::move(stages), {}, run};
 }
 
 /// Bytes that steps read and write for a block, to see how many blocks stay in a cache.
 template <class Real>
-std::size_t block_bytes(const Model<Real>& model, const Forces<Real>& forces) {
+std::size_t block_bytes(const Model<Real>& model, const Forces<Real>& forces, const Scheme<Real>& scheme) {
   const std::size_t blocks = block_count(model.particles());
-  std::size_t constant = model.inverse_mass.bytes();
-  for (const Stage& stage : forces.strip_stages()) constant += stage.bytes;
-  const std::size_t two_states = 2 * State<Real>::bytes_of(block_size, packed_for(model));
-  return two_states + (blocks == 0 ? 0 : constant / blocks);
+  std::size_t arrays = model.inverse_mass.bytes() + scheme.bytes();
+  for (const Stage& stage : forces.strip_stages()) arrays += stage.bytes;
+  const std::size_t states = 2 + scheme.states_between();
+  return states * State<Real>::bytes_of(block_size, packed_for(model)) + (blocks == 0 ? 0 : arrays / blocks);
 }
 
 /// What is shown of the sweeps: their stages, each with its sweep's name.
@@ -68,31 +66,38 @@ std::vector<Stage> stages_of(const std::vector<Sweep<Real>>& sweeps) {
 
 template <class Real>
 std::string tiles_text(const CompiledPlan<Real>& plan) {
-  const std::size_t steps = plan.most_steps_at_once == 1 ? 1 : plan.tiles.steps_in_pass;
+  const std::size_t substeps = plan.tiled ? plan.tiles.steps_in_pass : 1;
+  const std::string what = plan.stages == 1 ? "step" : "stage";
   return std::to_string(plan.tiles.count()) + " of up to " +
-         std::to_string(plan.tiles.tile_blocks * block_size) + " particles, " + std::to_string(steps) +
-         (steps == 1 ? " step" : " steps") + " in a pass over memory";
+         std::to_string(plan.tiles.tile_blocks * block_size) + " particles, " + std::to_string(substeps) +
+         " " + what + (substeps == 1 ? "" : "s") + " in a pass over memory";
 }
 
 }  // namespace
 
 template <class Real>
-CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces) {
+CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
+                             Scheme<Real>& scheme) {
   CompiledPlan<Real> plan;
-  if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces));
-  plan.sweeps.push_back(particle_sweep(settings.method, model, forces));
-  const bool one_sweep = plan.sweeps.size() == 1 && !forces.calls_user();
-  plan.most_steps_at_once = one_sweep ? most_steps_at_once : 1;
+  if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces, scheme));
+  plan.sweeps.push_back(particle_sweep(settings.method, model, forces, scheme));
+  plan.stages = scheme.stages();
+  plan.tiled = plan.sweeps.size() == 1 && !forces.calls_user();
+  const bool controlled = scheme.controlled() != nullptr;
+  plan.most_steps_at_once = plan.tiled && !controlled ? most_steps_at_once : 1;
+  plan.states = plan.most_steps_at_once > 1 || controlled ? 3 : 2;
   plan.shown.stages = stages_of(plan.sweeps);
   plan.shown.model_bytes = model.order.bytes();
   plan.shown.order = model.order.reason();
   plan.shown.springs = forces.spring_layout();
-  plan.tiles = make_tiles(block_count(model.particles()), model.spring_reach, block_bytes(model, forces));
+  plan.tiles =
+      make_tiles(block_count(model.particles()), model.spring_reach, block_bytes(model, forces, scheme));
   plan.shown.tiles = tiles_text(plan);
   return plan;
 }
 
-template CompiledPlan<float> make_plan(const Settings&, const Model<float>&, Forces<float>&);
-template CompiledPlan<double> make_plan(const Settings&, const Model<double>&, Forces<double>&);
+template CompiledPlan<float> make_plan(const Settings&, const Model<float>&, Forces<float>&, Scheme<float>&);
+template CompiledPlan<double> make_plan(const Settings&, const Model<double>&, Forces<double>&,
+                                        Scheme<double>&);
 
 }  // namespace hooke

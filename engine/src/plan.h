@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -9,21 +8,12 @@
 #include <hooke/simulation.h>
 
 #include "forces.h"
+#include "methods/scheme.h"
 #include "model/model.h"
 #include "model/tiles.h"
-#include "state.h"
+#include "substep.h"
 
 namespace hooke {
-
-/// One step, from the state now to the next one.
-template <class Real>
-struct Step {
-  const State<Real>& now;
-  State<Real>& next;
-  double h;                       ///< [s]
-  double time, time_after;        ///< [s] now, and of the next state
-  std::atomic<Index>& first_bad;  ///< lowest user's number with a next value that is not finite
-};
 
 /// One pass over particles or springs: one or more stages, fused. It has one of the two functions.
 template <class Real>
@@ -31,25 +21,28 @@ struct Sweep {
   std::string name;
   std::vector<Stage> stages;
   /// Does all at once, on the executor's threads.
-  std::function<void(const Step<Real>&, Executor&)> run_all;
+  std::function<void(const Substep<Real>&, Executor&)> run_all;
   /// Does the blocks [begin, end), and reads of other blocks only those that springs lead to.
-  std::function<void(const Step<Real>&, std::size_t begin, std::size_t end)> run_blocks;
+  std::function<void(const Substep<Real>&, std::size_t begin, std::size_t end)> run_blocks;
 };
 
-/// What a scene needs in each step and nothing else: written once, for running, timing and showing.
+/// What a scene needs in each stage of a step and nothing else: written once, for running, timing and
+/// showing.
 template <class Real>
 struct CompiledPlan {
   std::vector<Sweep<Real>> sweeps;
+  std::size_t stages = 1;              ///< of a step: each runs all sweeps
   Tiles tiles;                         ///< of the blocks
-  std::size_t most_steps_at_once = 1;  ///< more than one only where all is one sweep over blocks
+  bool tiled = false;                  ///< all is one sweep over blocks, which may go on to later stages
+  std::size_t most_steps_at_once = 1;  ///< more than one only where it is tiled
+  std::size_t states = 2;              ///< that a run needs: see StateRing
   Plan shown;
-
-  /// States that a run needs: see StateRing.
-  std::size_t states() const { return most_steps_at_once == 1 ? 2 : 3; }
 };
 
-/// `model` and `forces` must live as long as the plan. The bytes of the state are left for who makes it.
+/// `model`, `forces` and `scheme` must live as long as the plan. The bytes of the state are left for who
+/// makes it.
 template <class Real>
-CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces);
+CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
+                             Scheme<Real>& scheme);
 
 }  // namespace hooke

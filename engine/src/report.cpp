@@ -11,6 +11,11 @@ std::string Report::message() const {
         << " got a position or velocity that is not finite, so the step was not taken and the state before "
            "it is kept;"
         << " use a smaller step, softer springs or heavier particles";
+  } else if (flags & flag_step_too_small) {
+    out << "step " << step << " (time " << time << " s): the tolerance asks for steps shorter than the "
+        << "smallest_step, so the step was not taken and the state before it is kept; use a larger "
+           "tolerance, "
+           "double precision or a smaller smallest_step";
   } else if (flags & flag_steps_dropped) {
     out << "the frame asked for more steps than the cap; " << dropped_seconds
         << " s were dropped; raise max_steps_per_advance or use a larger step";

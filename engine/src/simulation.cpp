@@ -111,7 +111,7 @@ const Settings& Simulation<Real>::settings() const {
 
 template <class Real>
 StateView<Real> Simulation<Real>::state() const {
-  const State<Real>& s = parts_->states.now();
+  const State<Real>& s = parts_->whole_state();
   const std::size_t n = s.size();
   return {{s.x(), n}, {s.y(), n}, {s.z(), n}, {s.vx(), n}, {s.vy(), n}, {s.vz(), n}};
 }
@@ -139,12 +139,12 @@ void Simulation<Real>::copy_positions(double* first, std::size_t stride_bytes, d
 
 template <class Real>
 void Simulation<Real>::copy_velocities(float* first, std::size_t stride_bytes) const {
-  write_velocities(first, stride_bytes, parts_->model.order, parts_->states.now());
+  write_velocities(first, stride_bytes, parts_->model.order, parts_->whole_state());
 }
 
 template <class Real>
 void Simulation<Real>::copy_velocities(double* first, std::size_t stride_bytes) const {
-  write_velocities(first, stride_bytes, parts_->model.order, parts_->states.now());
+  write_velocities(first, stride_bytes, parts_->model.order, parts_->whole_state());
 }
 
 template <class Real>
@@ -154,15 +154,15 @@ const Plan& Simulation<Real>::plan() const {
 
 template <class Real>
 Energy Simulation<Real>::energy() const {
-  const Parts& p = *parts_;
-  const ParticleSums sums = sum_particles(p.model, p.forces, p.states.now(), *p.executor);
+  Parts& p = *parts_;
+  const ParticleSums sums = sum_particles(p.model, p.forces, p.whole_state(), *p.executor);
   return {sums.kinetic, p.forces.measure_springs(p.states.now(), *p.executor).energy, sums.external};
 }
 
 template <class Real>
 Vec3 Simulation<Real>::momentum() const {
-  const Parts& p = *parts_;
-  return sum_particles(p.model, p.forces, p.states.now(), *p.executor).momentum;
+  Parts& p = *parts_;
+  return sum_particles(p.model, p.forces, p.whole_state(), *p.executor).momentum;
 }
 
 template <class Real>
@@ -172,7 +172,7 @@ double Simulation<Real>::max_strain() const {
 
 template <class Real>
 std::uint64_t Simulation<Real>::state_hash() const {
-  return hash_state(parts_->states.now(), parts_->model.order);
+  return hash_state(parts_->whole_state(), parts_->model.order);
 }
 
 template class Simulation<float>;

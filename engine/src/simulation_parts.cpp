@@ -29,31 +29,50 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
       executor(executor_of(settings)),
       model(scene, settings.accumulation, *executor),
       forces(scene, model),
-      plan(make_plan(settings, model, forces)),
+      scheme(settings.method, model.particles()),
+      plan(make_plan(settings, model, forces, scheme)),
       workers(plan.tiles, executor->threads()),
-      states(initial_state(scene, model), plan.states()),
+      states(initial_state(scene, model), plan.states),
+      between(scheme.states_between(), states.now()),
+      whole(states.now(), scheme.last_kick() != 0.0),
       clock(settings.step, settings.max_steps_per_advance) {
-  plan.shown.state_bytes = states.bytes();
+  if (const auto* method = std::get_if<DormandPrince>(&settings.method)) {
+    controlled.emplace(*method, *scheme.controlled(), model, forces, *executor, states.now());
+  }
+  plan.shown.state_bytes = states.bytes() + whole.bytes();
+  for (const State<Real>& state : between) plan.shown.state_bytes += state.bytes();
   for (const Sweep<Real>& sweep : plan.sweeps) times.push_back({sweep.name, 0.0});
 }
 
 template <class Real>
-Index Simulation<Real>::Parts::take_at_once(std::size_t count) {
-  const PlanRun<Real> run{plan, workers, *executor, times};
+template <class Attempt>
+auto Simulation<Real>::Parts::attempt(const Attempt& attempt) {
+  whole.forget();
   try {
-    return hooke::take_steps(run, {time_at_step_0, steps, settings.step}, count, states);
+    return attempt();
   } catch (...) {
-    // A callback of the user's threw: the newest state is whole, the next one and the force sums are not.
-    forces.clear();
+    forces.clear();  // sums that no block took
     states.drop();
+    if (controlled) controlled->restart(0.0, 1.0);
     throw;
   }
 }
 
 template <class Real>
-Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
-  for (SweepTime& time : times) time.seconds = 0.0;
-  Report report;
+Index Simulation<Real>::Parts::take_at_once(std::size_t count) {
+  const Index bad = attempt([&] {
+    return hooke::take_steps(run(), {time_at_step_0, steps, settings.step}, 0, count, states);
+  });
+  if (bad == Report::none) {
+    states.advance(count);
+  } else {
+    states.drop();
+  }
+  return bad;
+}
+
+template <class Real>
+void Simulation<Real>::Parts::take_fixed_steps(std::uint64_t count, Report& report) {
   std::uint64_t one_by_one = 0;  // steps to be taken one by one, as one of them went bad
   while (report.steps_taken < count && report.ok()) {
     const std::uint64_t left = count - report.steps_taken;
@@ -62,6 +81,7 @@ Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
     if (bad == Report::none) {
       steps += tried;
       report.steps_taken += tried;
+      report.force_evaluations += tried * plan.stages;
       one_by_one -= one_by_one > 0;
     } else if (tried > 1) {
       one_by_one = tried;
@@ -69,6 +89,36 @@ Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
       report.first_bad_particle = bad;
       report.flags |= flag_not_finite;
     }
+  }
+}
+
+template <class Real>
+void Simulation<Real>::Parts::take_controlled_steps(std::uint64_t count, Report& report) {
+  using Outcome = typename ControlledSteps<Real>::Outcome;
+  while (report.steps_taken < count && report.ok()) {
+    const StepTimes times_of_steps{time_at_step_0, steps, settings.step};
+    const auto result = attempt([&] { return controlled->go(run(), times_of_steps.after(1), states); });
+    report.force_evaluations += result.evaluations;
+    report.rejected_steps += result.rejected;
+    if (result.outcome == Outcome::reached) {
+      ++steps;
+      ++report.steps_taken;
+    } else {
+      states.drop();
+      report.first_bad_particle = result.bad;
+      report.flags |= result.outcome == Outcome::not_finite ? flag_not_finite : flag_step_too_small;
+    }
+  }
+}
+
+template <class Real>
+Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
+  for (SweepTime& time : times) time.seconds = 0.0;
+  Report report;
+  if (controlled) {
+    take_controlled_steps(count, report);
+  } else {
+    take_fixed_steps(count, report);
   }
   report.step = steps + (report.ok() ? 0 : 1);
   report.time = states.now().time;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,26 @@ void check_values(const char* what, const std::vector<Real>& values, std::size_t
   }
 }
 
+/// Velocities as a snapshot has them.
+template <class Real>
+std::vector<Real> velocities_of(const State<Real>& state, const Order& order) {
+  std::vector<Real> velocities(3 * state.size());
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Eigen::Matrix<Real, 3, 1> velocity = state.velocity(order.engine(i));
+    std::copy(velocity.begin(), velocity.end(), velocities.begin() + std::ptrdiff_t(3 * i));
+  }
+  return velocities;
+}
+
+template <class Real>
+void check_memory(const MethodMemory<Real>& memory, std::size_t particles) {
+  if (!memory.velocities.empty()) check_values("the method's velocities", memory.velocities, particles);
+  const auto usable = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  require(std::isfinite(memory.pending_kick), "the method's pending_kick is not finite; give a finite value");
+  require(usable(memory.next_step), "the method's next_step is not a time; give a finite value >= 0");
+  require(usable(memory.last_error), "the method's last_error is not an error; give a finite value >= 0");
+}
+
 }  // namespace
 
 template <class Real>
@@ -35,6 +56,15 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
   snapshot.time = p.states.now().time;
   snapshot.step = p.steps;
   snapshot.remainder = p.clock.remainder();
+  const State<Real>& now = p.states.now();
+  if (now.pending_kick != 0.0) {
+    snapshot.method.velocities = velocities_of(now, p.model.order);
+    snapshot.method.pending_kick = now.pending_kick;
+  }
+  if (p.controlled) {
+    snapshot.method.next_step = p.controlled->next_step();
+    snapshot.method.last_error = p.controlled->last_error();
+  }
   return snapshot;
 }
 
@@ -44,14 +74,22 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   check_values("positions", snapshot.positions, p.model.particles());
   check_values("velocities", snapshot.velocities, p.model.particles());
   require(std::isfinite(snapshot.time), "time is not finite; give a finite value");
+  check_memory(snapshot.method, p.model.particles());
   p.clock.set_remainder(snapshot.remainder);
+  // Velocities without their last kick are of use only to a method that would leave the same kick pending.
+  const double last_kick = p.scheme.last_kick() * p.settings.step;
+  const bool pending = !snapshot.method.velocities.empty() && snapshot.method.pending_kick == last_kick;
+  const std::vector<Real>& velocities = pending ? snapshot.method.velocities : snapshot.velocities;
   for (std::size_t i = 0; i < p.model.particles(); ++i) {
     const Index e = p.model.order.engine(i);
     p.states.now().set_position(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.positions[3 * i]));
-    p.states.now().set_velocity(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.velocities[3 * i]));
+    p.states.now().set_velocity(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&velocities[3 * i]));
   }
   p.states.now().time = snapshot.time;
+  p.states.now().pending_kick = pending ? last_kick : 0.0;
   p.states.drop();
+  p.whole.forget();
+  if (p.controlled) p.controlled->restart(snapshot.method.next_step, snapshot.method.last_error);
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
 }

@@ -89,6 +89,10 @@ class State {
 
   double time = 0.0;
 
+  /// The velocities lack this time [s] of the accelerations here: a splitting method does the last kick of a
+  /// step together with the first of the next one. 0 where they are whole.
+  double pending_kick = 0.0;
+
   /// From one array's base to the next one's. The bases of a state's arrays differ by five cache lines modulo
   /// 4 KiB: with equal low address bits, loads from one array would falsely wait for stores to another.
   static std::size_t array_stride(std::size_t particles) {

@@ -37,6 +37,14 @@ class StateRing {
     now_ = place_after(steps);
   }
 
+  /// Likewise, and the state before is the one that was the newest: for steps that are parts of one. Needs
+  /// three states.
+  void advance_as_one(std::size_t steps) {
+    const std::size_t start = now_;
+    advance(steps);
+    before_ = start;
+  }
+
   /// Drops what was computed after the newest state, which becomes the one before too.
   void drop() { before_ = now_; }
 

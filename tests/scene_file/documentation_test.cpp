@@ -46,7 +46,7 @@ TEST_CASE("docs/scenes.md says the last particle of its first example") {
   CHECK(parse_scene(blocks[0]).scene.particles.size() == 385);
 }
 
-TEST_CASE("docs/scenes.md names every key of builders and effects") {
+TEST_CASE("docs/scenes.md names every key of builders, effects and methods") {
   const std::string page = scenes_page();
   const auto check = [&]<class T>(T described) {
     CAPTURE(T::name);
@@ -58,5 +58,6 @@ TEST_CASE("docs/scenes.md names every key of builders and effects") {
   };
   for_each_alternative<Builder>(check);
   for_each_alternative<Effect>(check);
+  for_each_alternative<Method>(check);
   check(Placement{});
 }

@@ -32,7 +32,7 @@ std::string_view to_string(Accumulation accumulation);
 /// How a scene is simulated.
 struct Settings {
   Method method = SymplecticEuler{};
-  double step = 1.0 / 60.0;  ///< [s], > 0
+  double step = 1.0 / 60.0;  ///< [s], > 0; a method with error control takes shorter ones inside
   Accumulation accumulation = Accumulation::gather;
   unsigned threads = 0;                     ///< at most this many; 0: as many as the machine has
   std::uint64_t max_steps_per_advance = 8;  ///< cap of one advance(), >= 1
@@ -51,6 +51,16 @@ struct StateView {
   std::span<const Real> vx, vy, vz;  ///< [m/s]
 };
 
+/// What a method carries from one step to the next beside the state. A snapshot without it can be restored
+/// too; then the run goes on with other bits.
+template <class Real>
+struct MethodMemory {
+  std::vector<Real> velocities;  ///< like a snapshot's, but without the kick that is pending; empty: none is
+  double pending_kick = 0.0;     ///< [s] of acceleration that these velocities lack
+  double next_step = 0.0;        ///< [s] that error control will try next; 0: it starts afresh
+  double last_error = 1.0;       ///< that it found last
+};
+
 /// A copy of everything that changes while a simulation runs. Restores only into simulations of the same
 /// scene.
 template <class Real>
@@ -60,6 +70,7 @@ struct Snapshot {
   double time = 0.0;             ///< [s]
   std::uint64_t step = 0;
   double remainder = 0.0;  ///< [s] of the clock
+  MethodMemory<Real> method;
 };
 
 /// A scene, compiled and running. Real is float or double.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <hooke/methods.h>
+
+#include "methods/accelerations.h"
+#include "model/model.h"
+
+namespace hooke {
+
+/// What error control allows in each of its steps, as root of the mean square over particles.
+struct AllowedError {
+  double position;  ///< [m], > 0
+  double velocity;  ///< [m/s], > 0
+};
+
+/// From the state at the start and its accelerations, of stage 0; see DormandPrince.
+template <class Real>
+AllowedError allowed_error(const DormandPrince& method, const Model<Real>& model, const State<Real>& start,
+                           const Accelerations<Real>& accelerations);
+
+/// The error of a step of length h [s], divided by what is allowed in it [1]: the root of the mean square
+/// over the positions and velocities of the particles that are not pinned. Not finite where accelerations are
+/// not. Summed in a fixed order.
+template <class Real>
+double error_norm(const AllowedError& allowed, double h, const Model<Real>& model,
+                  const Accelerations<Real>& accelerations, Executor& executor);
+
+}  // namespace hooke
