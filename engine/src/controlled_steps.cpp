@@ -7,9 +7,9 @@
 namespace hooke {
 
 template <class Real>
-ControlledSteps<Real>::ControlledSteps(const DormandPrince& method, RungeKutta<Real>& runge_kutta,
-                                       const Model<Real>& model, Forces<Real>& forces, Executor& executor,
-                                       const State<Real>& start)
+ControlledSteps<Real>::ControlledSteps(const DormandPrince& method, double scene_size,
+                                       RungeKutta<Real>& runge_kutta, const Model<Real>& model,
+                                       Forces<Real>& forces, Executor& executor, const State<Real>& start)
     : smallest_step_(method.smallest_step),
       runge_kutta_(runge_kutta),
       model_(model),
@@ -17,7 +17,7 @@ ControlledSteps<Real>::ControlledSteps(const DormandPrince& method, RungeKutta<R
       executor_(executor),
       controller_(order_of_error) {
   evaluate_at(start, 0);
-  allowed_ = allowed_error(method, model, start, runge_kutta.accelerations());
+  allowed_ = allowed_error(method, scene_size, model, start, runge_kutta.accelerations());
 }
 
 template <class Real>
@@ -38,7 +38,7 @@ auto ControlledSteps<Real>::attempt(const PlanRun<Real>& run, const StepTimes& t
   attempt.bad = take_steps(run, times, taken, 1, states);
   if (attempt.bad != Report::none) return attempt;
   evaluate_at(states.after(taken + 1), runge_kutta_.stages());
-  attempt.error = error_norm(allowed_, times.h, model_, runge_kutta_.accelerations(), executor_);
+  attempt.error = error_norm(allowed_, times.h, model_, runge_kutta_.accelerations(), executor_, sums_);
   return attempt;
 }
 

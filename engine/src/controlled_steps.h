@@ -12,9 +12,10 @@ namespace hooke {
 template <class Real>
 class ControlledSteps {
  public:
-  /// What a step is allowed comes from `start`, the state in which the scene begins.
-  ControlledSteps(const DormandPrince& method, RungeKutta<Real>& runge_kutta, const Model<Real>& model,
-                  Forces<Real>& forces, Executor& executor, const State<Real>& start);
+  /// What a step is allowed comes from the size of the scene [m] and `start`, the state in which it begins.
+  ControlledSteps(const DormandPrince& method, double scene_size, RungeKutta<Real>& runge_kutta,
+                  const Model<Real>& model, Forces<Real>& forces, Executor& executor,
+                  const State<Real>& start);
 
   enum class Outcome { reached, not_finite, step_too_small };
 
@@ -63,6 +64,7 @@ class ControlledSteps {
   AllowedError allowed_;
   bool first_known_ = true;  ///< the accelerations of stage 0 are those of the newest state
   double next_step_ = 0.0;
+  std::vector<SquareSums> sums_;  ///< room for the error's
 };
 
 }  // namespace hooke

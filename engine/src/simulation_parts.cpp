@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/precision.h"
+#include "scene/scene_size.h"
 #include "step.h"
 
 namespace hooke {
@@ -37,7 +38,8 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
       whole(states.now(), scheme.last_kick() != 0.0),
       clock(settings.step, settings.max_steps_per_advance) {
   if (const auto* method = std::get_if<DormandPrince>(&settings.method)) {
-    controlled.emplace(*method, *scheme.controlled(), model, forces, *executor, states.now());
+    controlled.emplace(*method, scene_size(scene), *scheme.controlled(), model, forces, *executor,
+                       states.now());
   }
   plan.shown.state_bytes = states.bytes() + whole.bytes();
   for (const State<Real>& state : between) plan.shown.state_bytes += state.bytes();

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "irregular_mesh.h"
+#include "methods.h"
 #include "scenes.h"
 
 namespace {
@@ -42,22 +43,26 @@ void operator delete(void* pointer, std::size_t, std::align_val_t) noexcept {
 
 using namespace hooke;
 
-TEST_CASE_TEMPLATE("a step allocates nothing, in any mode and on any number of threads", Real, float,
-                   double) {
+TEST_CASE_TEMPLATE("a step allocates nothing, in any mode, by any method, on any number of threads", Real,
+                   float, double) {
   Scene grid = test::hung_cloth(80, 60, 0.001), mesh;
   grid.pin(40, {{0.0, {0, 0, 0}}, {1.0, {0, 0, 0.1}}});
   add(mesh, test::irregular_mesh(60));
   mesh.effects = {Gravity{}, GroundPlane{.height = -1.0, .stiffness = 10.0}};
   for (const Scene& scene : {grid, mesh}) {
     for (auto accumulation : accumulations) {
-      for (unsigned threads : {1u, 2u}) {
-        Simulation<Real> simulation(scene, {.step = 1e-4, .accumulation = accumulation, .threads = threads});
-        REQUIRE(simulation.step(20).ok());
-        const std::size_t before = allocations;
-        REQUIRE(before > 0);
-        const Report report = simulation.step(100);
-        CHECK(allocations == before);
-        CHECK(report.ok());
+      for (const Method& method : test::all_methods()) {
+        for (unsigned threads : {1u, 2u}) {
+          CAPTURE(test::name_of(method));
+          Simulation<Real> simulation(
+              scene, {.method = method, .step = 1e-4, .accumulation = accumulation, .threads = threads});
+          REQUIRE(simulation.step(20).ok());
+          const std::size_t before = allocations;
+          REQUIRE(before > 0);
+          const Report report = simulation.step(50);
+          CHECK(allocations == before);
+          CHECK(report.ok());
+        }
       }
     }
   }

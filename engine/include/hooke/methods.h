@@ -99,7 +99,8 @@ struct BlanesMoan {
 /// many steps of its own as it needs.
 ///
 /// Asked for is an error (root of the mean square over particles) of
-///   tolerance L + position_tolerance in positions, with L the diagonal of the box around the scene, and
+///   tolerance L + position_tolerance in positions, with L the diagonal of the box around the scene at its
+///   start (or the longest rest length, if longer), and
 ///   tolerance V + velocity_tolerance in velocities, with V the largest of their root mean square at the
 ///   start, sqrt(a L) with a that of accelerations, and L / 1 s.
 /// Each of its own steps is allowed a hundredth of that, as the errors of many steps add up. In float, errors

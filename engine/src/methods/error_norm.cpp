@@ -15,17 +15,6 @@ namespace {
 /// a few hundred of them are usual.
 constexpr double share_of_step = 0.01;
 
-struct SquareSums {
-  double position = 0.0, velocity = 0.0;
-  std::size_t particles = 0;
-
-  void add(const SquareSums& other) {
-    position += other.position;
-    velocity += other.velocity;
-    particles += other.particles;
-  }
-};
-
 /// sum_j weights[j] A_j, for one particle.
 template <class Real>
 Vec3 weighted(const std::vector<double>& weights, const Accelerations<Real>& accelerations,
@@ -41,21 +30,11 @@ double root_of_mean(double square_sum, std::size_t count) {
   return count == 0 ? 0.0 : std::sqrt(square_sum / double(count));
 }
 
-template <class Real>
-double diagonal_of_box(const State<Real>& state) {
-  const auto extent = [&](const Real* values) {
-    if (state.size() == 0) return 0.0;
-    const auto [least, most] = std::minmax_element(values, values + state.size());
-    return double(*most) - double(*least);
-  };
-  return Vec3(extent(state.x()), extent(state.y()), extent(state.z())).norm();
-}
-
 }  // namespace
 
 template <class Real>
-AllowedError allowed_error(const DormandPrince& method, const Model<Real>& model, const State<Real>& start,
-                           const Accelerations<Real>& accelerations) {
+AllowedError allowed_error(const DormandPrince& method, double size, const Model<Real>& model,
+                           const State<Real>& start, const Accelerations<Real>& accelerations) {
   double velocities = 0.0, acceleration_squares = 0.0;
   std::size_t free = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -64,8 +43,6 @@ AllowedError allowed_error(const DormandPrince& method, const Model<Real>& model
     velocities += start.velocity(i).template cast<double>().squaredNorm();
     acceleration_squares += accelerations.vector(0, i).template cast<double>().squaredNorm();
   }
-  // A particle alone has no size: a metre then.
-  const double box = diagonal_of_box(start), size = box > 0.0 ? box : 1.0;
   const double speed = std::max({root_of_mean(velocities, free),
                                  std::sqrt(root_of_mean(acceleration_squares, free) * size), size / 1.0});
   return {share_of_step * (method.tolerance * size + method.position_tolerance),
@@ -74,7 +51,8 @@ AllowedError allowed_error(const DormandPrince& method, const Model<Real>& model
 
 template <class Real>
 double error_norm(const AllowedError& allowed, double h, const Model<Real>& model,
-                  const Accelerations<Real>& accelerations, Executor& executor) {
+                  const Accelerations<Real>& accelerations, Executor& executor,
+                  std::vector<SquareSums>& results) {
   static const NystromRow row = dormand_prince_error();
   const auto sum_blocks = [&](std::size_t begin, std::size_t end) {
     SquareSums sums;
@@ -88,19 +66,19 @@ double error_norm(const AllowedError& allowed, double h, const Model<Real>& mode
     return sums;
   };
   const SquareSums sums =
-      sum_in_order<SquareSums>(executor, block_count(model.particles()), block_run, sum_blocks);
+      sum_in_order<SquareSums>(executor, block_count(model.particles()), block_run, sum_blocks, results);
   const double position = h * h * root_of_mean(sums.position, sums.particles) / allowed.position;
   const double velocity = h * root_of_mean(sums.velocity, sums.particles) / allowed.velocity;
   return std::hypot(position, velocity) / std::sqrt(2.0);
 }
 
-template AllowedError allowed_error(const DormandPrince&, const Model<float>&, const State<float>&,
+template AllowedError allowed_error(const DormandPrince&, double, const Model<float>&, const State<float>&,
                                     const Accelerations<float>&);
-template AllowedError allowed_error(const DormandPrince&, const Model<double>&, const State<double>&,
+template AllowedError allowed_error(const DormandPrince&, double, const Model<double>&, const State<double>&,
                                     const Accelerations<double>&);
 template double error_norm(const AllowedError&, double, const Model<float>&, const Accelerations<float>&,
-                           Executor&);
+                           Executor&, std::vector<SquareSums>&);
 template double error_norm(const AllowedError&, double, const Model<double>&, const Accelerations<double>&,
-                           Executor&);
+                           Executor&, std::vector<SquareSums>&);
 
 }  // namespace hooke

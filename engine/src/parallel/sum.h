@@ -11,11 +11,13 @@ namespace hooke {
 inline constexpr std::size_t block_run = 256;
 
 /// Combines part(begin, end) over runs of a fixed length, in order: the same bits on any number of threads.
-/// A Result has add(Result).
+/// A Result has add(Result). `results` is room for those of the runs: what sums again and again keeps it, so
+/// that it allocates only once.
 template <class Result, class Part>
-Result sum_in_order(Executor& executor, std::size_t count, std::size_t run_length, const Part& part) {
+Result sum_in_order(Executor& executor, std::size_t count, std::size_t run_length, const Part& part,
+                    std::vector<Result>& results) {
   const std::size_t runs = (count + run_length - 1) / run_length;
-  std::vector<Result> results(runs);
+  results.resize(runs);
   executor.parallel_for(runs, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t run = begin; run < end; ++run) {
       results[run] = part(run * run_length, std::min(count, (run + 1) * run_length));
@@ -24,6 +26,12 @@ Result sum_in_order(Executor& executor, std::size_t count, std::size_t run_lengt
   Result sum{};
   for (const Result& result : results) sum.add(result);
   return sum;
+}
+
+template <class Result, class Part>
+Result sum_in_order(Executor& executor, std::size_t count, std::size_t run_length, const Part& part) {
+  std::vector<Result> results;
+  return sum_in_order<Result>(executor, count, run_length, part, results);
 }
 
 }  // namespace hooke
