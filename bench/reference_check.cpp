@@ -1,9 +1,9 @@
 #include "reference_check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
-#include <utility>
 
 #include "naive_cloth.h"
 
@@ -47,6 +47,10 @@ ReferenceCheck::ReferenceCheck(BenchScene& bench)
   for (std::size_t i = 0; i < reference.particles(); ++i) expected_.push_back(reference.position(i));
 }
 
+double ReferenceCheck::distance(const std::vector<Vec3>& positions) const {
+  return largest_distance(positions, expected_);
+}
+
 template <class Real>
 double ReferenceCheck::distance(Simulation<Real>& simulation) const {
   const Snapshot<Real> before = simulation.snapshot();
@@ -57,19 +61,28 @@ double ReferenceCheck::distance(Simulation<Real>& simulation) const {
   std::fill(start.velocities.begin(), start.velocities.end(), Real(0));
   simulation.restore(start);
   const bool ok = simulation.step(steps).ok();
-  const std::vector<Real> reached = simulation.snapshot().positions;
+  const double reached = distance(positions_of(simulation));
   simulation.restore(before);
-
-  double worst = ok ? 0.0 : std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < expected_.size(); ++i) {
-    const Vec3 position =
-        Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&reached[3 * i]).template cast<double>();
-    worst = std::max(worst, (position - expected_[i]).norm());
-  }
-  return worst;
+  return ok ? reached : std::numeric_limits<double>::infinity();
 }
 
 template double ReferenceCheck::distance(Simulation<float>&) const;
 template double ReferenceCheck::distance(Simulation<double>&) const;
+
+Scene CheckedScene::start_of_check() const {
+  Scene scene = bench.scene;
+  scene.particles.position = check.start();
+  return scene;
+}
+
+double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double distance = (a[i] - b[i]).norm();
+    if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, distance);
+  }
+  return largest;
+}
 
 }  // namespace hooke::bench

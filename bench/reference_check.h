@@ -1,18 +1,19 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "bench_scenes.h"
 
 namespace hooke::bench {
 
-/// Whether the engine moves a scene as NaiveCloth does, which shares no code with it. At rest springs give no
-/// force, so the check starts from positions of its own, where each particle is off its place by up to a
-/// tenth of its shortest spring.
+/// Whether a program moves a scene as NaiveCloth does, which shares no code with the engine. At rest springs
+/// give no force, so the check starts from positions of its own, where each particle is off its place by up
+/// to a tenth of its shortest spring.
 class ReferenceCheck {
  public:
-  static constexpr int steps = 10;
+  static constexpr int steps = 10;  ///< of the check
 
   /// The largest distance [m] that round-off explains, in a scene of the size of 1 m.
   template <class Real>
@@ -21,8 +22,14 @@ class ReferenceCheck {
   /// Runs the reference, in double. The scene is as it was when this returns.
   explicit ReferenceCheck(BenchScene& bench);
 
-  /// The largest distance [m] of a particle from where the reference has it; infinite where a step went bad.
-  /// Leaves the simulation in the state that it was in.
+  /// The positions [m] that the check starts from, at rest.
+  const std::vector<Vec3>& start() const { return start_; }
+
+  /// The largest distance [m] of a particle from where the reference has it after the steps of the check;
+  /// infinite where a position is not finite.
+  double distance(const std::vector<Vec3>& positions) const;
+
+  /// The same for a simulation; infinite where a step goes bad. Leaves it in the state that it was in.
   template <class Real>
   double distance(Simulation<Real>& simulation) const;
 
@@ -47,5 +54,27 @@ class ReferenceCheck {
   std::vector<Vec3> start_, expected_;  // [m]
   double stiffness_sum_ = 0.0;          // [N/m] of all springs
 };
+
+/// A scene and how runs of it are checked.
+struct CheckedScene {
+  BenchScene bench;
+  ReferenceCheck check;
+
+  explicit CheckedScene(BenchScene given) : bench(std::move(given)), check(bench) {}
+
+  /// The scene as it is when its check starts.
+  Scene start_of_check() const;
+};
+
+/// The largest distance [m] between particles of the same number; infinite if one is not finite.
+double largest_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
+
+/// All positions [m] in the user's numbering.
+template <class Real>
+std::vector<Vec3> positions_of(const Simulation<Real>& simulation) {
+  std::vector<Vec3> positions(simulation.particle_count());
+  simulation.copy_positions(positions[0].data(), sizeof(Vec3));
+  return positions;
+}
 
 }  // namespace hooke::bench

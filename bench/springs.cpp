@@ -17,21 +17,14 @@ namespace {
 
 constexpr int steps_at_once = 4;
 
-/// A scene and how the engine's run of it is checked.
-struct Case {
-  BenchScene bench;
-  ReferenceCheck check;
-
-  explicit Case(BenchScene given) : bench(std::move(given)), check(bench) {}
-};
-
 void count_springs(benchmark::State& state, std::size_t springs) {
   const double updates = double(state.iterations()) * steps_at_once * double(springs);
   state.counters["springs/s"] = benchmark::Counter(updates, benchmark::Counter::kIsRate);
 }
 
 template <class Real>
-void time_engine(benchmark::State& state, const Case& timed, Accumulation accumulation, unsigned threads) {
+void time_engine(benchmark::State& state, const CheckedScene& timed, Accumulation accumulation,
+                 unsigned threads) {
   Simulation<Real> simulation(timed.bench.scene,
                               {.step = timed.bench.step, .accumulation = accumulation, .threads = threads});
   const double distance = timed.check.distance(simulation);
@@ -46,7 +39,7 @@ void time_engine(benchmark::State& state, const Case& timed, Accumulation accumu
   count_springs(state, timed.bench.scene.springs.size());
 }
 
-void time_naive(benchmark::State& state, const Case& timed) {
+void time_naive(benchmark::State& state, const CheckedScene& timed) {
   NaiveCloth cloth(timed.bench.scene, timed.bench.step);
   for (auto _ : state) {
     for (int i = 0; i < steps_at_once; ++i) cloth.step();
@@ -56,7 +49,8 @@ void time_naive(benchmark::State& state, const Case& timed) {
 }
 
 template <class Real>
-void register_engine(const std::shared_ptr<const Case>& timed, Accumulation accumulation, unsigned threads) {
+void register_engine(const std::shared_ptr<const CheckedScene>& timed, Accumulation accumulation,
+                     unsigned threads) {
   const std::string name = timed->bench.name + "/" + std::string(to_string(accumulation)) + "/" +
                            (sizeof(Real) == 4 ? "float" : "double") + "/threads:" + std::to_string(threads);
   const auto run = [=](benchmark::State& state) { time_engine<Real>(state, *timed, accumulation, threads); };
@@ -64,7 +58,7 @@ void register_engine(const std::shared_ptr<const Case>& timed, Accumulation accu
 }
 
 void register_case(BenchScene bench) {
-  const auto timed = std::make_shared<const Case>(std::move(bench));
+  const auto timed = std::make_shared<const CheckedScene>(std::move(bench));
   const auto naive = [=](benchmark::State& state) { time_naive(state, *timed); };
   benchmark::RegisterBenchmark((timed->bench.name + "/naive").c_str(), naive)
       ->UseRealTime()

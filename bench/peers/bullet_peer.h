@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "checked_scene.h"
 #include "peer.h"
 
 namespace hooke::bench {

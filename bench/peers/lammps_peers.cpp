@@ -13,9 +13,10 @@ namespace {
 /// The largest distance of any particle from where it should be, against the largest that one has moved.
 constexpr double tolerance = 1e-10;
 
-/// The springs of a scene without gravity and drag.
-Scene springs_alone(const Scene& scene) {
-  Scene network = scene;
+/// The springs of a scene without gravity and drag, as they are at the start of its check.
+Scene springs_alone(const CheckedScene& scene) {
+  Scene network = scene.start_of_check();
+  network.particles.velocity.assign(network.particles.size(), Vec3::Zero());
   network.effects.clear();
   return network;
 }
@@ -26,10 +27,10 @@ struct CheckedNetwork {
   std::vector<Vec3> expected;
   LammpsNetwork lammps;
 
-  CheckedNetwork(const LammpsPrograms& programs, const BenchScene& bench)
-      : network(springs_alone(bench.scene)),
-        expected(velocity_verlet(network, bench.step, checked_steps)),
-        lammps(programs, network, bench.step) {}
+  CheckedNetwork(const LammpsPrograms& programs, const CheckedScene& scene)
+      : network(springs_alone(scene)),
+        expected(velocity_verlet(network, scene.bench.step, ReferenceCheck::steps)),
+        lammps(programs, network, scene.bench.step) {}
 
   void require_same(const std::string& who, const std::vector<Vec3>& positions) const {
     const double error = largest_distance(positions, expected);
@@ -42,7 +43,7 @@ struct CheckedNetwork {
 };
 
 Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_t steps) {
-  const LammpsNetwork::Run run = checked.lammps.run(processes, checked_steps, steps);
+  const LammpsNetwork::Run run = checked.lammps.run(processes, ReferenceCheck::steps, steps);
   checked.require_same("LAMMPS", run.positions);
   if (!(std::abs(run.energy_change) <= 0.05))
     throw std::runtime_error("LAMMPS changed the energy by " + to_text(100.0 * run.energy_change) + " %");
@@ -52,12 +53,15 @@ Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_
 }  // namespace
 
 std::vector<Peer> lammps_peers(const LammpsPrograms& programs, const CheckedScene& scene) {
-  const BenchScene& bench = scene.bench;
-  const auto checked = std::make_shared<const CheckedNetwork>(programs, bench);
-  // At the start all springs are at rest length. The first kick is zero then, and symplectic Euler has the
-  // same positions as velocity Verlet.
-  Simulation<double> engine(checked->network, {.step = bench.step});
-  engine.step(checked_steps);
+  const auto checked = std::make_shared<const CheckedNetwork>(programs, scene);
+  // Symplectic Euler has the positions of velocity Verlet where its velocities are those of half a step
+  // before.
+  Scene half_a_step_before = checked->network;
+  const std::vector<Vec3> kicks = accelerations(checked->network, checked->network.particles.position);
+  for (std::size_t i = 0; i < kicks.size(); ++i)
+    half_a_step_before.particles.velocity[i] -= 0.5 * scene.bench.step * kicks[i];
+  Simulation<double> engine(half_a_step_before, {.step = scene.bench.step});
+  engine.step(ReferenceCheck::steps);
   checked->require_same("the engine", positions_of(engine));
   std::vector<Peer> peers;
   for (unsigned processes : {1u, 2u}) {

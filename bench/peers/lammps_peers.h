@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "checked_scene.h"
 #include "lammps_network.h"
 #include "peer.h"
 

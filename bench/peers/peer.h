@@ -2,7 +2,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
+
+#include "reference_check.h"
+#include "scene/number_text.h"
 
 namespace hooke::bench {
 
@@ -22,5 +26,17 @@ struct Peer {
   /// fails.
   std::function<Timing(std::uint64_t steps)> run;
 };
+
+/// Throws std::runtime_error unless `good`.
+inline void require(bool good, const std::string& fault) {
+  if (!good) throw std::runtime_error(fault);
+}
+
+/// Throws std::runtime_error where a check found a `distance` [m] that round-off of Real does not explain.
+template <class Real>
+void require_near(double distance) {
+  require(distance <= ReferenceCheck::tolerance<Real>,
+          "differs from the reference by " + to_text(distance) + " m, which is more than round-off");
+}
 
 }  // namespace hooke::bench

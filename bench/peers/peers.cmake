@@ -21,8 +21,7 @@ function(hooke_peer_program target)
   endif()
 endfunction()
 
-hooke_peer_program(bench_peers peers/peers.cpp peers/checked_scene.cpp peers/energy_gain.cpp peers/hooke_peers.cpp
-                               peers/serial_peers.cpp)
+hooke_peer_program(bench_peers peers/peers.cpp peers/hooke_peers.cpp peers/serial_peers.cpp)
 target_compile_definitions(bench_peers PRIVATE HOOKE_MESHES="${HOOKE_MESHES}")
 if(BULLET_FOUND)
   target_sources(bench_peers PRIVATE peers/bullet_peer.cpp peers/falling.cpp)
@@ -36,7 +35,7 @@ else()
   message(STATUS "LAMMPS or mpirun not found: bench_peers leaves it out (Debian: lammps)")
 endif()
 
-hooke_peer_program(bench_equal_cost peers/equal_cost.cpp peers/energy_gain.cpp peers/falling.cpp peers/hung_sheet.cpp)
+hooke_peer_program(bench_equal_cost peers/equal_cost.cpp peers/falling.cpp peers/hung_sheet.cpp)
 
 if(HOOKE_BUILD_TESTS)
   add_test(NAME bench_peers COMMAND bench_peers --quick)

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "checked_scene.h"
 #include "peer.h"
 
 namespace hooke::bench {
