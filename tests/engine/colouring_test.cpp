@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/slot_lanes.h"
 #include "irregular_mesh.h"
 #include "model/colouring.h"
 #include "scenes.h"
@@ -41,22 +42,10 @@ Count springs_of(const Scene& scene, const Order& order) {
 
 Count springs_of(const Slots<double>& slots) {
   Count count;
-  for (std::size_t block = 0; block < slots.list_of_block.size(); ++block) {
-    const auto& list = slots.list(block);
-    for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
-      const auto& slot = slots.slots[s];
-      for (std::size_t lane = 0; lane < block_size; ++lane) {
-        const std::size_t own = block * block_size + lane;
-        const std::size_t other =
-            s < list.first_indexed ? own + std::size_t(slot.shift) : slots.neighbour(block, slot, lane);
-        const double stiffness = slots.row(slot.stiffness)[lane];
-        const double damping = slots.damped ? 4.0 * slots.row(slot.quarter_damping)[lane] : 0.0;
-        if (own == other || (stiffness == 0.0 && damping == 0.0)) continue;
-        ++count[{std::min(own, other), std::max(own, other), stiffness, 2.0 * slots.row(slot.half_pull)[lane],
-                 damping}];
-      }
-    }
-  }
+  test::for_each_spring_lane(slots, [&](const test::SlotLane& lane) {
+    const auto [low, high] = std::minmax(lane.own, lane.other);
+    ++count[{low, high, lane.stiffness, lane.pull, lane.damping}];
+  });
   return count;
 }
 
@@ -65,17 +54,8 @@ std::set<std::size_t> written_blocks(const SpringBatches<double>& batches, std::
   std::set<std::size_t> written;
   for (std::size_t block = batches.begin(batch); block < batches.end(batch); ++block) {
     written.insert(block);
-    const auto& list = batches.slots.list(block);
-    for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
-      for (std::size_t lane = 0; lane < block_size; ++lane) {
-        const auto& slot = batches.slots.slots[s];
-        const std::size_t own = block * block_size + lane;
-        const bool shift = s < list.first_indexed;
-        const std::size_t other =
-            shift ? own + std::size_t(slot.shift) : batches.slots.neighbour(block, slot, lane);
-        written.insert(other / block_size);
-      }
-    }
+    test::for_each_lane(batches.slots, block,
+                        [&](const test::SlotLane& lane) { written.insert(lane.other / block_size); });
   }
   return written;
 }

@@ -3,7 +3,7 @@
 #include <map>
 #include <tuple>
 
-#include "model/slots.h"
+#include "engine/slot_lanes.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -27,24 +27,11 @@ Count half_springs(const Scene& scene, const Order& order) {
   return count;
 }
 
-/// What the slots say, leaving out lanes without a spring.
 Count half_springs(const Slots<double>& slots) {
   Count count;
-  for (std::size_t block = 0; block < slots.list_of_block.size(); ++block) {
-    const auto& list = slots.list(block);
-    for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
-      const auto& slot = slots.slots[s];
-      for (std::size_t lane = 0; lane < block_size; ++lane) {
-        const Index particle = Index(block * block_size + lane);
-        const Index neighbour = s < list.first_indexed ? Index(std::int64_t(particle) + slot.shift)
-                                                       : Index(slots.neighbour(block, slot, lane));
-        const double damping = slots.damped ? 4.0 * slots.row(slot.quarter_damping)[lane] : 0.0;
-        const double stiffness = slots.row(slot.stiffness)[lane];
-        if (neighbour == particle || (stiffness == 0.0 && damping == 0.0)) continue;
-        ++count[{particle, neighbour, stiffness, 2.0 * slots.row(slot.half_pull)[lane], damping}];
-      }
-    }
-  }
+  test::for_each_spring_lane(slots, [&](const test::SlotLane& lane) {
+    ++count[{Index(lane.own), Index(lane.other), lane.stiffness, lane.pull, lane.damping}];
+  });
   return count;
 }
 
