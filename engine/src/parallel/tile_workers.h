@@ -23,8 +23,6 @@ class TileWorkers {
  public:
   TileWorkers(const Tiles& tiles, unsigned threads);
 
-  const Tiles& tiles() const { return tiles_; }
-
   /// Calls work(step, first block, last block) for each tile and each of `steps` steps. Where it throws, the
   /// others stop, and the exception reaches the caller.
   template <class Work>
