@@ -26,7 +26,7 @@ Forces<Real>::Forces(const Scene& scene, const Model<Real>& model)
       slots_(slots_of(model)),
       batches_(std::get_if<SpringBatches<Real>>(&model.spring_layout)),
       sums_(batches_ != nullptr ? model.particles() : 0, batches_ != nullptr && slots_->any_indexed()) {
-  const EffectContext context{scene, model.order};
+  const EffectContext<Real> context{scene, model};
   for (const Effect& effect : scene.effects) {
     std::visit([&](const auto& data) { effects_.push_back(compile_effect<Real>(data, context)); }, effect);
   }

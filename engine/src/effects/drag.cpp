@@ -69,12 +69,12 @@ class DragForce final : public StripEffect<Real> {
 }  // namespace
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext&) {
+StripEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext<Real>&) {
   return std::make_unique<DragForce<Real>>(drag);
 }
 
-template StripEffectPointer<float> compile_effect(const Drag&, const EffectContext&);
-template StripEffectPointer<double> compile_effect(const Drag&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const Drag&, const EffectContext<float>&);
+template StripEffectPointer<double> compile_effect(const Drag&, const EffectContext<double>&);
 
 }  // namespace hooke
 #endif

@@ -28,11 +28,11 @@ class FieldForce final : public StripEffect<Real> {
 }  // namespace
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Field& field, const EffectContext&) {
+StripEffectPointer<Real> compile_effect(const Field& field, const EffectContext<Real>&) {
   return std::make_unique<FieldForce<Real>>(field);
 }
 
-template StripEffectPointer<float> compile_effect(const Field&, const EffectContext&);
-template StripEffectPointer<double> compile_effect(const Field&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const Field&, const EffectContext<float>&);
+template StripEffectPointer<double> compile_effect(const Field&, const EffectContext<double>&);
 
 }  // namespace hooke

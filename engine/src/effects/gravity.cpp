@@ -1,5 +1,4 @@
 #include "effects/strip_effect.h"
-#include "model/row_store.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "effects/gravity.cpp"
@@ -60,7 +59,7 @@ void add_weight(const Strip<double>& strip, const BlockRows<double>& mass, const
 template <class Real>
 class GravityForce final : public StripEffect<Real> {
  public:
-  GravityForce(const Gravity& gravity, const EffectContext& context)
+  GravityForce(const Gravity& gravity, const EffectContext<Real>& context)
       : g_(gravity.acceleration.cast<Real>()), mass_(masses_to_pull(context)) {}
 
   void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
@@ -80,12 +79,10 @@ class GravityForce final : public StripEffect<Real> {
 
  private:
   /// A pinned particle does not fall, and has no energy to give: without mass here it is left alone.
-  static BlockRows<Real> masses_to_pull(const EffectContext& context) {
-    std::vector<bool> pinned(context.order.size(), false);
-    for (const Pin& pin : context.scene.pins) pinned[pin.particle] = true;
-    return BlockRows<Real>(context.order.size(), [&](std::size_t i) {
-      const Index particle = context.order.user(i);
-      return pinned[particle] ? Real(0) : Real(context.scene.particles.mass[particle]);
+  static BlockRows<Real> masses_to_pull(const EffectContext<Real>& context) {
+    const Model<Real>& model = context.model;
+    return BlockRows<Real>(model.particles(), [&](std::size_t i) {
+      return model.pinned(i) ? Real(0) : Real(context.scene.particles.mass[model.order.user(i)]);
     });
   }
 
@@ -96,12 +93,12 @@ class GravityForce final : public StripEffect<Real> {
 }  // namespace
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext& context) {
+StripEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext<Real>& context) {
   return std::make_unique<GravityForce<Real>>(gravity, context);
 }
 
-template StripEffectPointer<float> compile_effect(const Gravity&, const EffectContext&);
-template StripEffectPointer<double> compile_effect(const Gravity&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const Gravity&, const EffectContext<float>&);
+template StripEffectPointer<double> compile_effect(const Gravity&, const EffectContext<double>&);
 
 }  // namespace hooke
 #endif

@@ -112,12 +112,12 @@ class GroundPlaneForce final : public StripEffect<Real> {
 }  // namespace
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext&) {
+StripEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext<Real>&) {
   return std::make_unique<GroundPlaneForce<Real>>(plane);
 }
 
-template StripEffectPointer<float> compile_effect(const GroundPlane&, const EffectContext&);
-template StripEffectPointer<double> compile_effect(const GroundPlane&, const EffectContext&);
+template StripEffectPointer<float> compile_effect(const GroundPlane&, const EffectContext<float>&);
+template StripEffectPointer<double> compile_effect(const GroundPlane&, const EffectContext<double>&);
 
 }  // namespace hooke
 #endif

@@ -6,7 +6,7 @@
 #include <hooke/report.h>
 #include <hooke/scene.h>
 
-#include "model/order.h"
+#include "model/model.h"
 #include "strip.h"
 
 namespace hooke {
@@ -36,18 +36,19 @@ template <class Real>
 using StripEffectPointer = std::unique_ptr<StripEffect<Real>>;
 
 /// What the compilation of an effect may look at.
+template <class Real>
 struct EffectContext {
   const Scene& scene;
-  const Order& order;
+  const Model<Real>& model;
 };
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext& context);
+StripEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext<Real>& context);
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext& context);
+StripEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext<Real>& context);
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Field& field, const EffectContext& context);
+StripEffectPointer<Real> compile_effect(const Field& field, const EffectContext<Real>& context);
 template <class Real>
-StripEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext& context);
+StripEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext<Real>& context);
 
 }  // namespace hooke

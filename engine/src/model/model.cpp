@@ -68,8 +68,7 @@ State<Real> initial_state(const Scene& scene, const Model<Real>& model) {
   for (std::size_t i = 0; i < model.particles(); ++i) {
     const Index e = model.order.engine(i);
     state.set_position(e, scene.particles.position[i].cast<Real>());
-    const bool pinned = model.inverse_mass[e] == Real(0);
-    if (!pinned) state.set_velocity(e, scene.particles.velocity_of(i).cast<Real>());
+    if (!model.pinned(e)) state.set_velocity(e, scene.particles.velocity_of(i).cast<Real>());
   }
   move_pins(std::span(model.moving_pins), state.time, state);
   return state;

@@ -30,6 +30,7 @@ struct Model {
   Model(const Scene& scene, Accumulation accumulation, Executor& executor);
 
   std::size_t particles() const { return order.size(); }
+  bool pinned(std::size_t particle) const { return inverse_mass[particle] == Real(0); }  ///< engine's order
 };
 
 /// The slots of the model's springs, in whichever layout they are; null where there are none.
