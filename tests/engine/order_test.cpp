@@ -5,8 +5,11 @@
 #include <numeric>
 #include <random>
 
+#include "irregular_mesh.h"
 #include "model/order.h"
+#include "model/tiles.h"
 #include "scenes.h"
+#include "state.h"
 
 using namespace hooke;
 
@@ -74,6 +77,33 @@ TEST_CASE("a shuffled cloth is put in an order about as local as a grid's") {
   const double best = mean_distance(grid, Order(grid.particles.size(), ""));
   CHECK(mean_distance(mixed, order) < 2.0 * best);
   CHECK(mean_distance(mixed, Order(mixed.particles.size(), "")) > 10.0 * best);
+}
+
+TEST_CASE("the springs of an irregular sheet reach little more than two rows of it") {
+  constexpr Index n = 256;
+  Scene scene;
+  add(scene, test::irregular_mesh(n));
+  const Order order = order_of(scene);
+  CHECK(is_permutation_of_particles(order));
+  // Springs of bending reach over two rows, and sorting by degree moves each end within a window of 4 blocks.
+  // From a corner of the sheet it would be 51 blocks.
+  CHECK(spring_reach(scene.springs, order) >= 2 * n / block_size);
+  CHECK(spring_reach(scene.springs, order) <= 2.5 * n / block_size + 4);
+
+  const Order again = order_of(scene);
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) differing += again.engine(i) != order.engine(i);
+  CHECK(differing == 0);
+}
+
+TEST_CASE("separate sheets are ordered one after the other: their springs reach no further") {
+  constexpr Index n = 64;
+  Scene one, many;
+  add(one, test::irregular_mesh(n));
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) add(many, test::irregular_mesh(n, seed));
+  const Order order = order_of(shuffled(many, 1));
+  CHECK(is_permutation_of_particles(order));
+  CHECK(spring_reach(shuffled(many, 1).springs, order) <= spring_reach(one.springs, order_of(one)) + 2);
 }
 
 TEST_CASE("every network gets a permutation, isolated particles and separate parts too") {

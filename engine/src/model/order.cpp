@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "model/middle_out_order.h"
+#include "model/neighbour_graph.h"
 #include "state.h"
 
 namespace hooke {
@@ -36,63 +38,6 @@ double grid_share(const Springs& springs) {
   return sampled == 0 ? 1.0 : double(covered) / double(sampled);
 }
 
-/// Breadth-first numbering of a graph, one connected part after the other.
-class CuthillMcKee {
- public:
-  CuthillMcKee(const Springs& springs, const Adjacency& adjacency, std::size_t particles)
-      : springs_(springs), adjacency_(adjacency), numbered_(particles, false) {
-    order_.reserve(particles);
-    for (Index i = 0; i < particles; ++i) {
-      if (!numbered_[i]) number_part(far_end(i));
-    }
-    std::reverse(order_.begin(), order_.end());
-  }
-
-  std::vector<Index> take() { return std::move(order_); }
-
- private:
-  void number_part(Index start) {
-    std::size_t next = order_.size();
-    visit(start);
-    for (; next < order_.size(); ++next) visit_neighbours(order_[next]);
-  }
-
-  void visit(Index particle) {
-    numbered_[particle] = true;
-    order_.push_back(particle);
-  }
-
-  void visit_neighbours(Index particle) {
-    const std::size_t first_new = order_.size();
-    for (std::size_t k = adjacency_.begin[particle]; k < adjacency_.begin[particle + 1]; ++k) {
-      const Index neighbour = other_end(springs_, adjacency_.springs[k], particle);
-      if (!numbered_[neighbour]) visit(neighbour);
-    }
-    const auto smaller_degree = [this](Index a, Index b) {
-      return adjacency_.degree(a) < adjacency_.degree(b);
-    };
-    std::stable_sort(order_.begin() + std::ptrdiff_t(first_new), order_.end(), smaller_degree);
-  }
-
-  /// A particle at the end of the connected part of `start`: the last one that two breadth-first passes
-  /// reach. Long thin levels from there keep neighbours close in the order.
-  Index far_end(Index start) {
-    const std::size_t numbered = order_.size();
-    for (int pass = 0; pass < 2; ++pass) {
-      number_part(start);
-      start = order_.back();
-      for (std::size_t i = numbered; i < order_.size(); ++i) numbered_[order_[i]] = false;
-      order_.resize(numbered);
-    }
-    return start;
-  }
-
-  const Springs& springs_;
-  const Adjacency& adjacency_;
-  std::vector<bool> numbered_;
-  std::vector<Index> order_;
-};
-
 /// Sorts by falling degree within windows of a few blocks, as blocks of equal degrees leave few lanes of
 /// their slots empty while neighbours stay near (SELL-C-sigma, Kreutzer et al. 2014).
 void sort_windows_by_degree(const Adjacency& adjacency, std::vector<Index>& order) {
@@ -112,9 +57,9 @@ Order choose_order(const Springs& springs, const Adjacency& adjacency, std::size
   if (springs.size() == 0) return Order(particles, "the user's (no springs)");
   if (grid_share(springs) >= grid_like)
     return Order(particles, "the user's (springs join it at few distances)");
-  std::vector<Index> order = CuthillMcKee(springs, adjacency, particles).take();
+  std::vector<Index> order = middle_out_order(NeighbourGraph(springs, adjacency, particles));
   sort_windows_by_degree(adjacency, order);
-  return Order(std::move(order), "reverse Cuthill-McKee, by degree in windows of 64");
+  return Order(std::move(order), "Cuthill-McKee from the middle, by degree in windows of 64");
 }
 
 }  // namespace hooke

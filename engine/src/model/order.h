@@ -35,8 +35,7 @@ class Order {
 };
 
 /// Keeps the user's numbering where most springs join particles a few fixed distances apart in it, as in a
-/// grid; otherwise numbers neighbours close together by reverse Cuthill-McKee (Cuthill and McKee 1969, George
-/// 1971).
+/// grid; otherwise numbers neighbours close together (model/middle_out_order.h).
 Order choose_order(const Springs& springs, const Adjacency& adjacency, std::size_t particles);
 
 }  // namespace hooke
