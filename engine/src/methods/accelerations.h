@@ -17,12 +17,13 @@ class Accelerations {
   Real* x(std::size_t stage) { return array(3 * stage); }
   Real* y(std::size_t stage) { return array(3 * stage + 1); }
   Real* z(std::size_t stage) { return array(3 * stage + 2); }
-  const Real* x(std::size_t stage) const { return const_cast<Accelerations*>(this)->x(stage); }
-  const Real* y(std::size_t stage) const { return const_cast<Accelerations*>(this)->y(stage); }
-  const Real* z(std::size_t stage) const { return const_cast<Accelerations*>(this)->z(stage); }
+
+  const Real* coordinate(std::size_t axis, std::size_t stage) const {
+    return values_.data() + (3 * stage + axis) * stride_;
+  }
 
   Eigen::Matrix<Real, 3, 1> vector(std::size_t stage, std::size_t particle) const {
-    return {x(stage)[particle], y(stage)[particle], z(stage)[particle]};
+    return {coordinate(0, stage)[particle], coordinate(1, stage)[particle], coordinate(2, stage)[particle]};
   }
 
   /// Copies those of one stage to another.
