@@ -25,9 +25,9 @@ Scene springs_alone(const CheckedScene& scene) {
 struct CheckedNetwork {
   Scene network;
   std::vector<Vec3> expected;
-  LammpsNetwork lammps;
+  reference::LammpsNetwork lammps;
 
-  CheckedNetwork(const LammpsPrograms& programs, const CheckedScene& scene)
+  CheckedNetwork(const reference::LammpsPrograms& programs, const CheckedScene& scene)
       : network(springs_alone(scene)),
         expected(velocity_verlet(network, scene.bench.step, ReferenceCheck::steps)),
         lammps(programs, network, scene.bench.step) {}
@@ -43,7 +43,7 @@ struct CheckedNetwork {
 };
 
 Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_t steps) {
-  const LammpsNetwork::Run run = checked.lammps.run(processes, ReferenceCheck::steps, steps);
+  const auto run = checked.lammps.timed_run(processes, ReferenceCheck::steps, steps);
   checked.require_same("LAMMPS", run.positions);
   if (!(std::abs(run.energy_change) <= 0.05))
     throw std::runtime_error("LAMMPS changed the energy by " + to_text(100.0 * run.energy_change) + " %");
@@ -52,7 +52,7 @@ Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_
 
 }  // namespace
 
-std::vector<Peer> lammps_peers(const LammpsPrograms& programs, const CheckedScene& scene) {
+std::vector<Peer> lammps_peers(const reference::LammpsPrograms& programs, const CheckedScene& scene) {
   const auto checked = std::make_shared<const CheckedNetwork>(programs, scene);
   // Symplectic Euler has the positions of velocity Verlet where its velocities are those of half a step
   // before.

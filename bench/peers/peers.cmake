@@ -1,9 +1,6 @@
 # Hooke beside other programs that move springs. Bullet and LAMMPS are optional: what is not installed is left out, and
 # both CMake and the programs say so.
 find_package(Bullet QUIET)
-find_program(HOOKE_LMP NAMES lmp DOC "LAMMPS, for bench_peers")
-find_program(HOOKE_MPIRUN NAMES mpirun DOC "Starts LAMMPS on several processes, for bench_peers")
-mark_as_advanced(HOOKE_LMP HOOKE_MPIRUN)
 
 # hooke_peer_program(TARGET SOURCES...): with Bullet where there is one.
 function(hooke_peer_program target)
@@ -28,11 +25,9 @@ if(BULLET_FOUND)
 else()
   message(STATUS "Bullet not found: the benchmarks leave it out (Debian: libbullet-dev)")
 endif()
-if(HOOKE_LMP AND HOOKE_MPIRUN)
-  target_sources(bench_peers PRIVATE peers/lammps_network.cpp peers/lammps_peers.cpp peers/velocity_verlet.cpp)
-  target_compile_definitions(bench_peers PRIVATE HOOKE_LMP="${HOOKE_LMP}" HOOKE_MPIRUN="${HOOKE_MPIRUN}")
-else()
-  message(STATUS "LAMMPS or mpirun not found: bench_peers leaves it out (Debian: lammps)")
+if(TARGET hooke_lammps)
+  target_sources(bench_peers PRIVATE peers/lammps_peers.cpp peers/velocity_verlet.cpp)
+  target_link_libraries(bench_peers PRIVATE hooke_lammps)
 endif()
 
 hooke_peer_program(bench_equal_cost peers/equal_cost.cpp peers/falling.cpp peers/hung_sheet.cpp)
