@@ -8,7 +8,10 @@ tools="a C++20 compiler (GCC 11, Clang 14 or newer), CMake 3.22 or newer, Ninja"
 program_libraries="Eigen 3, oneTBB, Highway, nlohmann-json, CLI11, tinyobjloader"
 program_packages="libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtinyobjloader-dev"
 test_libraries="doctest, Google Benchmark"
-test_packages="doctest-dev libbenchmark-dev pkg-config python3-jsonschema"
+test_packages="doctest-dev libbenchmark-dev libboost-dev pkg-config python3-jsonschema"
+# Other programs that the engine is compared with. They bring 800 MB, so only .ci/run installs them; where they are
+# absent, their tests are skipped and say so.
+reference_packages="libsundials-dev lammps"
 
 fail() {
   printf '\n%s: %s\n' "$(basename "$0")" "$*" >&2
