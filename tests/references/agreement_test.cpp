@@ -50,6 +50,10 @@ TEST_CASE("the reference scenes do not multiply small differences by more than 1
 }
 
 TEST_CASE("CVODE and Fehlberg agree to 1e-10 of the scene's length") {
+  if (solvers().size() < 2) {
+    MESSAGE("skipped: there is no ", "solver to compare ", solvers().front().name, " with");
+    return;
+  }
   for (const ReferenceScene& scene : reference_scenes()) {
     std::vector<std::vector<double>> y;
     for (const Solver& solver : solvers()) {
