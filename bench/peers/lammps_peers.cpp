@@ -54,13 +54,7 @@ Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_
 
 std::vector<Peer> lammps_peers(const reference::LammpsPrograms& programs, const CheckedScene& scene) {
   const auto checked = std::make_shared<const CheckedNetwork>(programs, scene);
-  // Symplectic Euler has the positions of velocity Verlet where its velocities are those of half a step
-  // before.
-  Scene half_a_step_before = checked->network;
-  const std::vector<Vec3> kicks = accelerations(checked->network, checked->network.particles.position);
-  for (std::size_t i = 0; i < kicks.size(); ++i)
-    half_a_step_before.particles.velocity[i] -= 0.5 * scene.bench.step * kicks[i];
-  Simulation<double> engine(half_a_step_before, {.step = scene.bench.step});
+  Simulation<double> engine(checked->network, {.method = Verlet{}, .step = scene.bench.step});
   engine.step(ReferenceCheck::steps);
   checked->require_same("the engine", positions_of(engine));
   std::vector<Peer> peers;

@@ -1,7 +1,9 @@
 #include "velocity_verlet.h"
 
 namespace hooke::bench {
+namespace {
 
+/// The acceleration [m/s^2] of every particle by its springs; zero where it is pinned.
 std::vector<Vec3> accelerations(const Scene& network, const std::vector<Vec3>& positions) {
   std::vector<Vec3> result(positions.size(), Vec3::Zero());
   const Springs& springs = network.springs;
@@ -16,6 +18,8 @@ std::vector<Vec3> accelerations(const Scene& network, const std::vector<Vec3>& p
   for (const Pin& pin : network.pins) result[pin.particle].setZero();
   return result;
 }
+
+}  // namespace
 
 std::vector<Vec3> velocity_verlet(const Scene& network, double step, int steps) {
   std::vector<Vec3> positions = network.particles.position, velocities = network.particles.velocity;
