@@ -13,7 +13,7 @@ namespace {
 
 /// The share of the tolerance that one step may use up. Errors of the steps of an oscillation add up, and
 /// a few hundred of them are usual.
-constexpr double share_of_step = 0.01;
+constexpr double share_of_step = 0.03;
 
 /// Blocks in a run: the numbers of a run are summed one after the other.
 constexpr std::size_t run_of_sums = 8 * strip_blocks;
