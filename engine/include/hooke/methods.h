@@ -103,7 +103,7 @@ struct BlanesMoan {
 ///   start (or the longest rest length, if longer), and
 ///   tolerance V + velocity_tolerance in velocities, with V the largest of their root mean square at the
 ///   start, sqrt(a L) with a that of accelerations, and L / 1 s.
-/// Each of its own steps is allowed a hundredth of that, as the errors of many steps add up. In float, errors
+/// Each of its own steps is allowed 3 % of that, as the errors of many steps add up. In float, errors
 /// of rounding make tolerances below 1e-3 slow.
 struct DormandPrince {
   double tolerance = 1e-6;          ///< relative to the size and speed of the scene [1], > 0
