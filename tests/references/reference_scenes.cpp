@@ -12,21 +12,6 @@
 namespace hooke::test {
 namespace {
 
-/// The bound of Gershgorin: no mode of the springs is faster than the largest sum of stiffnesses at a
-/// spring's ends, each over its particle's mass.
-double fastest_mode(const Scene& scene) {
-  std::vector<double> stiffness(scene.particles.size(), 0.0);
-  const Springs& springs = scene.springs;
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    stiffness[springs.first[s]] += springs.stiffness[s];
-    stiffness[springs.second[s]] += springs.stiffness[s];
-  }
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < stiffness.size(); ++i)
-    fastest = std::max(fastest, 2.0 * stiffness[i] / scene.particles.mass[i]);
-  return std::sqrt(fastest);
-}
-
 double root_mean_square(std::span<const double> vectors) {
   const Eigen::Map<const Eigen::VectorXd> values(vectors.data(), Eigen::Index(vectors.size()));
   return std::sqrt(values.squaredNorm() / (double(values.size()) / 3.0));
@@ -47,9 +32,8 @@ reference::Scale scale_of(const Scene& scene) {
 }
 
 ReferenceScene make(std::string name, Scene scene, double end) {
-  const double fastest = fastest_mode(scene);
   const reference::Scale scale = scale_of(scene);
-  return {std::move(name), std::move(scene), end, fastest, scale};
+  return {std::move(name), std::move(scene), end, scale};
 }
 
 }  // namespace

@@ -16,7 +16,6 @@ struct ReferenceScene {
   std::string name;
   Scene scene;
   double end;              ///< [s]
-  double fastest;          ///< [1/s] an angular frequency that no small oscillation in it exceeds
   reference::Scale scale;  ///< its size, and how fast it moves
 };
 
