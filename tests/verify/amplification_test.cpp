@@ -123,3 +123,20 @@ TEST_CASE("at equal cost RK4 overtakes Verlet at 8e-4, and midpoint has 16 times
   MESSAGE("RK4 and Verlet cross at h w = " << low << ", relative frequency error " << crossing
                                            << "; midpoint / Verlet: " << ratio);
 }
+
+TEST_CASE(
+    "one step of Dormand and Prince's method is its stability polynomial, where its tolerance allows it") {
+  const DormandPrince method{.tolerance = 1e9};
+  double worst = 0.0;
+  for (double z : {0.05, 0.3, 0.9, 1.9}) {
+    for (double zeta : {0.0, 0.2, 1.0}) {
+      const StepMatrix exact = polynomial({1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 600}, z, zeta);
+      worst = std::max(worst, (measured_step(method, z, zeta) - exact).cwiseAbs().maxCoeff());
+    }
+  }
+  CHECK(worst < 1e-12);
+  const double limit =
+      stability_limit([&](double z, double zeta) { return measured_step(method, z, zeta); }, 0.0);
+  CHECK(std::abs(limit - DormandPrince::oscillation_limit) < 1e-3);
+  MESSAGE("largest difference of an entry: " << worst << "; h w <= " << limit);
+}
