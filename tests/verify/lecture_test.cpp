@@ -118,6 +118,24 @@ TEST_CASE("undamped oscillator: symplectic Euler keeps v^2 + w^2 x^2 - h w^2 x v
   }
   REQUIRE(simulation.step(1'000'000 - 100).ok());
   CHECK(std::abs(invariant() - start) < 1e-9 * start);
+  MESSAGE("changed by " << invariant() / start - 1.0 << " of itself");
+}
+
+TEST_CASE("undamped oscillator: Verlet keeps v^2 + w^2 (1 - (h w)^2 / 4) x^2 over a million steps") {
+  const double mass = 0.7, stiffness = 31.0, h = 0.1, w2 = stiffness / mass;
+  Simulation<double> simulation(oscillator(mass, stiffness), {.method = Verlet{}, .step = h});
+  const auto invariant = [&] {
+    const double x = position(simulation, 1).x(), v = velocity(simulation, 1).x();
+    return v * v + w2 * (1.0 - 0.25 * h * h * w2) * x * x;
+  };
+  const double start = invariant();
+  for (int n = 0; n < 100; ++n) {
+    REQUIRE(simulation.step().ok());
+    REQUIRE(near(invariant(), start));
+  }
+  REQUIRE(simulation.step(1'000'000 - 100).ok());
+  CHECK(std::abs(invariant() - start) < 1e-9 * start);
+  MESSAGE("changed by " << invariant() / start - 1.0 << " of itself");
 }
 
 TEST_CASE("undamped oscillator: symplectic Euler turns by 2 asin(h w / 2) each step") {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include <hooke/methods.h>
+#include "methods.h"
 
 /// What theory says of each method, from the literature and not from the engine.
 
@@ -57,9 +57,7 @@ struct MethodTheory {
 
   /// A kick sees the velocity at its beginning, so splitting methods are of order 1 in damping.
   int order_with_damping() const { return splitting ? 1 : order; }
-  std::string name() const {
-    return std::visit([](const auto& data) { return std::string(data.name); }, method);
-  }
+  std::string name() const { return std::string(name_of(method)); }
 };
 
 /// The methods with steps of one length.
