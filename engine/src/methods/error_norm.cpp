@@ -63,7 +63,7 @@ AllowedError allowed_error(const DormandPrince& method, double size, const Model
   double velocities = 0.0, acceleration_squares = 0.0;
   std::size_t free = 0;
   for (std::size_t i = 0; i < start.size(); ++i) {
-    if (model.inverse_mass[i] == Real(0)) continue;
+    if (model.pinned(i)) continue;
     ++free;
     velocities += start.velocity(i).template cast<double>().squaredNorm();
     acceleration_squares += accelerations.vector(0, i).template cast<double>().squaredNorm();
