@@ -1,7 +1,5 @@
 #include "bench_scenes.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "jittered_mesh.h"
@@ -10,26 +8,9 @@
 namespace hooke::bench {
 namespace {
 
-/// Half of the step at which symplectic Euler gets unstable, by the edge bound
-/// w_max^2 <= max over springs of S_i / m_i + S_j / m_j, S the sum of stiffness at a particle (Irons'
-/// theorem).
-double half_stable_step(const Scene& scene) {
-  std::vector<double> sum(scene.particles.size(), 0.0);
-  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
-    for (Index end : {scene.springs.first[s], scene.springs.second[s]})
-      sum[end] += scene.springs.stiffness[s];
-  }
-  double w_squared = 0.0;
-  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
-    const Index a = scene.springs.first[s], b = scene.springs.second[s];
-    w_squared = std::max(w_squared, sum[a] / scene.particles.mass[a] + sum[b] / scene.particles.mass[b]);
-  }
-  return 0.5 * 2.0 / std::sqrt(w_squared);
-}
-
 BenchScene finished(std::string name, Scene scene) {
   scene.effects = {Gravity{{0.0, 0.0, 9.81}}, Drag{.coefficient = 1e-6}};
-  const double step = half_stable_step(scene);
+  const double step = 0.5 * 2.0 / highest_frequency(scene);  // symplectic Euler is stable below 2 / w
   return {std::move(name), std::move(scene), step};
 }
 

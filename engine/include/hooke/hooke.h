@@ -14,3 +14,4 @@
 #include <hooke/report.h>
 #include <hooke/scene.h>
 #include <hooke/simulation.h>
+#include <hooke/stability.h>
