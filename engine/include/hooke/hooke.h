@@ -15,3 +15,4 @@
 #include <hooke/scene.h>
 #include <hooke/simulation.h>
 #include <hooke/stability.h>
+#include <hooke/study.h>

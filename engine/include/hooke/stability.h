@@ -3,7 +3,8 @@
 #include <hooke/scene.h>
 
 /// How fast a scene can move, and so how long a step it allows. All are upper bounds, found from the springs,
-/// drag and ground planes of the scene without simulating it; a Field's stiffness is not known and not counted.
+/// drag and ground planes of the scene without simulating it; a Field's stiffness is not known and not
+/// counted.
 ///
 /// They hold for springs that are not pressed to less than half of their rest length: below that a spring's
 /// sideways stiffness exceeds k.

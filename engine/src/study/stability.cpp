@@ -41,9 +41,9 @@ double pull_on_each(const Scene& scene, const Weights& weights) {
 }
 
 /// Bounds the eigenvalues of M^-1 (weighted K and C): the largest, over springs, of the sum over both ends of
-/// what pulls at an end divided by its mass (Irons' theorem on elements, each mass shared among its springs in
-/// proportion to their pull), and what holds the lightest particle alone. Pinned particles count as infinitely
-/// heavy.
+/// what pulls at an end divided by its mass (Irons' theorem on elements, each mass shared among its springs
+/// in proportion to their pull), and what holds the lightest particle alone. Pinned particles count as
+/// infinitely heavy.
 double largest_eigenvalue(const Scene& scene, const Weights& weights) {
   const std::vector<double> pull = pulls(scene, weights);
   std::vector<double> mass = scene.particles.mass;
