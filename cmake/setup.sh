@@ -5,8 +5,8 @@ project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$project/build/release
 
 tools="a C++20 compiler (GCC 11, Clang 14 or newer), CMake 3.22 or newer, Ninja"
-program_libraries="Eigen 3, oneTBB, Highway, nlohmann-json, CLI11, tinyobjloader"
-program_packages="libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtinyobjloader-dev"
+program_libraries="Eigen 3, oneTBB, Highway, nlohmann-json, CLI11, tinyobjloader (and gnuplot for pictures)"
+program_packages="libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtinyobjloader-dev gnuplot-nox"
 test_libraries="doctest, Google Benchmark"
 test_packages="doctest-dev libbenchmark-dev libboost-dev pkg-config python3-jsonschema"
 # Other programs that the engine is compared with. They bring 800 MB, so only .ci/run installs them; where they are

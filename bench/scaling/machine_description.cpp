@@ -1,55 +1,34 @@
 #include "scaling/machine_description.h"
 
 #include <cstdio>
-#include <fstream>
 #include <ostream>
 #include <string>
 #include <thread>
 
+#include "program/machine.h"
 #include "scaling/available_memory.h"
 #include "scaling/limit_kernels.h"
 
 namespace hooke::bench {
 namespace {
 
-/// What /proc/cpuinfo says of the first processor under this key; "unknown" where it does not.
-std::string of_processor(const std::string& key) {
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);) {
-    if (line.rfind(key, 0) != 0 || line.find_first_not_of(" \t:", key.size()) == std::string::npos) continue;
-    if (line.find_first_of("\t:", key.size()) != key.size()) continue;  // a longer key
-    return line.substr(line.find_first_not_of(" \t:", key.size()));
-  }
-  return "unknown";
-}
-
 std::string cache_text(const CacheLevel& cache) {
   if (cache.bytes == 0) return "none";
   return std::to_string(cache.bytes / 1024) + " KiB x " + std::to_string(cache.instances);
 }
 
-const char* compiler() {
-#if defined(__clang__)
-  return "Clang " __clang_version__;
-#elif defined(__GNUC__)
-  return "GCC " __VERSION__;
-#else
-  return "unknown";
-#endif
-}
-
 }  // namespace
 
 void describe_machine(const MachineLimits& machine, std::ostream& out) {
-  out << "processor              " << of_processor("model name") << " (family " << of_processor("cpu family")
-      << ", model " << of_processor("model") << ")\n"
+  out << "processor              " << program::processor_name() << " (family "
+      << program::processor_entry("cpu family") << ", model " << program::processor_entry("model") << ")\n"
       << "threads at most        " << std::thread::hardware_concurrency() << '\n'
       << "L2                     " << cache_text(machine.caches.l2) << '\n'
       << "L3                     " << cache_text(machine.caches.l3) << '\n'
       << "cache sizes from       " << machine.caches.source << '\n'
       << "memory available       " << available_memory() / (1024 * 1024) << " MiB\n"
       << "read to measure memory " << machine.memory_read / (1024 * 1024) << " MiB\n"
-      << "compiler               " << compiler() << '\n'
+      << "compiler               " << program::compiler_name() << '\n'
       << "limits measured with   " << vector_instructions() << "\n\n"
       << "threads   L2 GB/s   L3 GB/s   memory GB/s   float GFLOP/s   double GFLOP/s\n";
   for (const auto& [threads, limits] : machine.of_threads) {

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -10,17 +11,39 @@
 namespace hooke::program {
 namespace {
 
-/// Accepts a finite number in (least, infinity), or from `least` on where that is allowed. An error says what
-/// to give.
-CLI::Validator number(double least, bool or_equal, const std::string& remedy) {
+/// Accepts a finite number in (least, below), or from `least` on where that is allowed. An error says what to
+/// give.
+CLI::Validator number(double least, bool or_equal, const std::string& remedy,
+                      double below = std::numeric_limits<double>::infinity()) {
   return CLI::Validator(
       [=](const std::string& text) {
         double value = 0.0;
         const char* const end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, value);
         const bool is_number = error == std::errc{} && stop == end && std::isfinite(value);
-        const bool in_range = value > least || (or_equal && value == least);
+        const bool in_range = (value > least || (or_equal && value == least)) && value < below;
         return is_number && in_range ? std::string() : text + " cannot be used; give " + remedy;
+      },
+      "");
+}
+
+/// Seconds > 0, with or without a unit; nothing where it is no such text.
+std::optional<double> duration(const std::string& text) {
+  const std::map<std::string, double> units{{"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}};
+  double value = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const auto unit = units.find(std::string(stop, end));
+  if (error != std::errc{} || unit == units.end() || !std::isfinite(value) || value <= 0.0)
+    return std::nullopt;
+  return value * unit->second;
+}
+
+CLI::Validator duration_text() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return duration(text) ? std::string()
+                              : text + " cannot be used; give a time > 0, such as 90s or 2min";
       },
       "");
 }
@@ -57,7 +80,7 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-void add_scene_options(CLI::App& command, Arguments& arguments) {
+void add_file_options(CLI::App& command, Arguments& arguments) {
   command.add_option("scene", arguments.scene, "The scene file (docs/scenes.md describes them)")
       ->required()
       ->type_name("SCENE.json");
@@ -65,6 +88,24 @@ void add_scene_options(CLI::App& command, Arguments& arguments) {
       .add_option("--mesh", arguments.mesh,
                   "Make the scene's mesh cloths of this mesh, not of those it names")
       ->type_name("FILE.obj");
+}
+
+void add_parallel_options(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option_function<std::string>(
+          "--accumulation",
+          [&](const std::string& name) { arguments.accumulation = accumulation_named(name); },
+          "How spring forces are summed: " + listed(accumulation_names()) +
+              "; the scene's, if not given. atomic is not reproducible")
+      ->check(one_of(accumulation_names()))
+      ->type_name("NAME");
+  command.add_option("--threads", arguments.threads, "Threads to use at most; 0: as many as the machine has")
+      ->check(thread_count())
+      ->type_name("COUNT");
+}
+
+void add_scene_options(CLI::App& command, Arguments& arguments) {
+  add_file_options(command, arguments);
   command.add_option("--step", arguments.step, "Length of a step [s]; the scene's, if not given")
       ->check(number(0.0, false, "seconds > 0, such as 0.001"))
       ->type_name("SECONDS");
@@ -76,22 +117,12 @@ void add_scene_options(CLI::App& command, Arguments& arguments) {
       ->type_name("NAME");
   command
       .add_option_function<std::string>(
-          "--accumulation",
-          [&](const std::string& name) { arguments.accumulation = accumulation_named(name); },
-          "How spring forces are summed: " + listed(accumulation_names()) +
-              "; the scene's, if not given. atomic is not reproducible")
-      ->check(one_of(accumulation_names()))
-      ->type_name("NAME");
-  command
-      .add_option_function<std::string>(
           "--precision", [&](const std::string& name) { arguments.precision = *precision_named(name); },
           "Type of the numbers that the simulation runs on: " + listed(precision_names()) +
               "; float, if not given")
       ->check(one_of(precision_names()))
       ->type_name("NAME");
-  command.add_option("--threads", arguments.threads, "Threads to use at most; 0: as many as the machine has")
-      ->check(thread_count())
-      ->type_name("COUNT");
+  add_parallel_options(command, arguments);
 }
 
 void add_run_options(CLI::App& command, Arguments& arguments) {
@@ -118,6 +149,32 @@ void add_run_options(CLI::App& command, Arguments& arguments) {
       ->needs(out)
       ->type_name("NAME");
   command.add_option("--report", arguments.report, "File for a report of the run as one JSON object")
+      ->type_name("FILE.json");
+}
+
+void add_accuracy_options(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option("--tolerance", arguments.tolerance,
+                  "Error to allow, as a share of the scene's size; 0.001, if not given")
+      ->check(number(0.0, false, "a share of the scene's size > 0 and < 1, such as 0.001", 1.0))
+      ->type_name("SHARE");
+  command
+      .add_option("--horizon", arguments.seconds,
+                  "Simulated time over which to keep to the tolerance [s]; the scene's seconds, if not given")
+      ->check(number(0.0, false, "seconds > 0, such as 2.5"))
+      ->type_name("SECONDS");
+  command
+      .add_option_function<std::string>(
+          "--budget", [&](const std::string& text) { arguments.budget = *duration(text); },
+          "Time that the study may take, such as 90, 90s or 2min; 60s, if not given")
+      ->check(duration_text())
+      ->type_name("TIME");
+  command
+      .add_option(
+          "--out", arguments.out,
+          "Folder for the page, its pictures and figures, made if need be; out/SCENE_accuracy, if not given")
+      ->type_name("DIR");
+  command.add_option("--json", arguments.json, "File for the study as one JSON object")
       ->type_name("FILE.json");
 }
 

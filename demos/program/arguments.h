@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "program/choices.h"
 #include "writers/frame_writer.h"
@@ -26,12 +27,28 @@ struct Arguments {
   std::filesystem::path out;  ///< folder for frames; empty: none are written
   FileFormat format = FileFormat::vtp;
   std::filesystem::path report;  ///< file for the JSON report; empty: none
+
+  // Of the study of accuracy; seconds is its horizon and out the folder of its page.
+  double tolerance = 1e-3;     ///< [1] share of the scene's size
+  double budget = 60.0;        ///< [s] of wall time
+  std::filesystem::path json;  ///< file for the study as JSON; empty: none
+
+  std::string command;  ///< as it was given
 };
 
-/// The options that every command has: which scene, and how to simulate it.
+/// Which scene.
+void add_file_options(CLI::App& command, Arguments& arguments);
+
+/// How springs are summed, on which threads.
+void add_parallel_options(CLI::App& command, Arguments& arguments);
+
+/// Which scene, and how to simulate it: the options of all commands that take a scene as it is.
 void add_scene_options(CLI::App& command, Arguments& arguments);
 
 /// The options of `run` alone: how long, and what to write.
 void add_run_options(CLI::App& command, Arguments& arguments);
+
+/// The options of `accuracy` alone: the question, what may be spent on it, and where the answer goes.
+void add_accuracy_options(CLI::App& command, Arguments& arguments);
 
 }  // namespace hooke::program

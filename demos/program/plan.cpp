@@ -1,7 +1,5 @@
 #include "program/plan.h"
 
-#include <algorithm>
-#include <array>
 #include <iomanip>
 #include <ostream>
 #include <string>
@@ -9,30 +7,15 @@
 
 #include "program/exit_code.h"
 #include "program/scene_input.h"
+#include "program/text_table.h"
 
 namespace hooke::program {
 namespace {
-
-constexpr std::size_t columns = 5;
-using Row = std::array<std::string, columns>;
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
   return text.empty() ? "-" : text;
-}
-
-void print_table(const std::vector<Row>& rows, std::ostream& out) {
-  std::array<std::size_t, columns> widths{};
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c < columns; ++c) widths[c] = std::max(widths[c], row[c].size());
-  }
-  for (const Row& row : rows) {
-    for (std::size_t c = 0; c + 1 < columns; ++c) {
-      out << std::left << std::setw(static_cast<int>(widths[c] + 2)) << row[c];
-    }
-    out << std::right << std::setw(static_cast<int>(widths.back())) << row.back() << '\n';
-  }
 }
 
 template <class Real>
@@ -44,12 +27,12 @@ void compile_and_print(const SceneFile& file, std::ostream& out) {
 }  // namespace
 
 void print_plan(const Plan& plan, std::size_t particles, std::ostream& out) {
-  std::vector<Row> rows{{"stage", "sweep", "reads", "writes", "bytes"}};
+  std::vector<TableRow> rows{{"stage", "sweep", "reads", "writes", "bytes"}};
   for (const Stage& stage : plan.stages) {
     rows.push_back(
         {stage.name, stage.sweep, joined(stage.reads), joined(stage.writes), std::to_string(stage.bytes)});
   }
-  print_table(rows, out);
+  print_table(rows, 4, out);
   out << "\nStages of one sweep run together, on a block of particles while it is in cache.\n\n";
   out << "state    " << plan.state_bytes << " bytes\n";
   out << "model    " << plan.model_bytes << " bytes\n";

@@ -17,22 +17,33 @@ hooke_warnings(hooke_writers)
 
 # The hooke program: all of it but main(), so that tests can link its parts.
 add_library(hooke_program STATIC
+  program/accuracy.cpp
+  program/accuracy_csv.cpp
+  program/accuracy_json.cpp
+  program/accuracy_page.cpp
+  program/accuracy_plots.cpp
+  program/accuracy_table.cpp
   program/arguments.cpp
   program/check.cpp
   program/choices.cpp
+  program/command_line.cpp
   program/frame_recorder.cpp
   program/frame_schedule.cpp
+  program/gnuplot.cpp
   program/interruption.cpp
   program/json_report.cpp
+  program/machine.cpp
   program/peak_memory.cpp
   program/plan.cpp
   program/program.cpp
   program/progress_bar.cpp
+  program/rounded.cpp
   program/run.cpp
   program/run_result.cpp
   program/scene_input.cpp
   program/simulate.cpp
-  program/summary.cpp)
+  program/summary.cpp
+  program/text_table.cpp)
 target_compile_definitions(hooke_program PRIVATE HOOKE_VERSION="${PROJECT_VERSION}")
 target_link_libraries(hooke_program PUBLIC hooke_scene_file hooke_writers
                                     PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)

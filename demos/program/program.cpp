@@ -6,8 +6,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/accuracy.h"
 #include "program/arguments.h"
 #include "program/check.h"
+#include "program/command_line.h"
 #include "program/exit_code.h"
 #include "program/plan.h"
 #include "program/run.h"
@@ -55,13 +57,25 @@ int parse_and_run(int argc, const char* const* argv) {
       "check", "Say whether a scene can be simulated; if not, every fault, and what to do about it.");
   add_scene_options(check_command, arguments);
 
+  CLI::App& accuracy_command = *app.add_subcommand(
+      "accuracy",
+      "Show what accuracy costs in time on a scene: every method at many steps, against a reference.");
+  add_file_options(accuracy_command, arguments);
+  add_parallel_options(accuracy_command, arguments);
+  add_accuracy_options(accuracy_command, arguments);
+  accuracy_command.footer(
+      std::string("\nExample: hooke accuracy curtain.json --tolerance 0.01 --horizon 1 --budget 2min\n") +
+      exit_codes);
+
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())
-      throw CLI::RequiredError("give a command: run, plan or check", CLI::ExitCodes::RequiredError);
+      throw CLI::RequiredError("give a command: run, plan, check or accuracy", CLI::ExitCodes::RequiredError);
   } catch (const CLI::ParseError& error) {
     return end_parse(app, error);
   }
+  arguments.command = command_line(argc, argv);
+  if (accuracy_command.parsed()) return accuracy(arguments, std::cout, std::cerr);
   if (run_command.parsed()) return run(arguments, std::cout, std::cerr);
   if (plan_command.parsed()) return plan(arguments, std::cout);
   return check(arguments, std::cout, std::cerr);

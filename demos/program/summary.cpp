@@ -1,18 +1,11 @@
 #include "program/summary.h"
 
 #include <ostream>
-#include <sstream>
+
+#include "program/rounded.h"
 
 namespace hooke::program {
 namespace {
-
-/// Three digits are what a person can use.
-std::string rounded(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
 
 std::string speed(const RunResult& result) {
   if (const auto ns = result.ns_per_spring_step()) return rounded(*ns) + " ns for each spring and step";

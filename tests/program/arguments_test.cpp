@@ -51,6 +51,22 @@ TEST_CASE("what is not given is left to the scene") {
   CHECK(arguments.report.empty());
 }
 
+TEST_CASE("the options of a study are understood") {
+  const auto budget = [](const std::string& text) {
+    Arguments arguments;
+    CLI::App app;
+    add_accuracy_options(app, arguments);
+    app.parse(std::vector<std::string>{text, "--budget", "0.01", "--tolerance", "2", "--horizon"});
+    CHECK(arguments.tolerance == 0.01);
+    CHECK(arguments.seconds == 2.0);
+    return arguments.budget;
+  };
+  CHECK(budget("90") == 90.0);
+  CHECK(budget("1.5s") == 1.5);
+  CHECK(budget("2min") == 120.0);
+  CHECK(budget("0.5h") == 1800.0);
+}
+
 TEST_CASE("every option is understood") {
   const Arguments arguments = parse({"--seconds",      "2.5",    "--step",    "1e-3",
                                      "--fps",          "24",     "--method",  "explicit_euler",

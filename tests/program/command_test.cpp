@@ -44,7 +44,7 @@ bool has_partial(const TemporaryFolder& folder) {
 }
 
 TEST_CASE("help and version are given on request") {
-  for (const char* command : {"run", "plan", "check"}) {
+  for (const char* command : {"run", "plan", "check", "accuracy"}) {
     const Outcome help = run_hooke({command, "--help"});
     CHECK(help.exit_code == 0);
     CHECK(contains(help.out, "SCENE.json"));
@@ -52,7 +52,7 @@ TEST_CASE("help and version are given on request") {
   }
   const Outcome help = run_hooke({"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* word : {"run", "plan", "check", "Exit codes"}) CHECK(contains(help.out, word));
+  for (const char* word : {"run", "plan", "check", "accuracy", "Exit codes"}) CHECK(contains(help.out, word));
   const Outcome version = run_hooke({"--version"});
   CHECK(version.exit_code == 0);
   CHECK(version.out == "hooke " HOOKE_VERSION "\n");
@@ -60,7 +60,7 @@ TEST_CASE("help and version are given on request") {
 
 TEST_CASE("bad arguments are refused with exit code 2 and named") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{}, "give a command: run, plan or check"},
+      {{}, "give a command: run, plan, check or accuracy"},
       {{"fly"}, "fly"},
       {{"run"}, "scene"},
       {{"run", scene("spring"), "--wings", "2"}, "--wings"},
@@ -74,6 +74,15 @@ TEST_CASE("bad arguments are refused with exit code 2 and named") {
       {{"run", scene("spring"), "--report", "/no/such/folder/r.json"},
        "/no/such/folder/r.json: No such file"},
       {{"run", scene("spring"), "--out", "/dev/null/frames"}, "/dev/null/frames"},
+      {{"accuracy", "no_such_scene.json"}, "no_such_scene.json"},
+      {{"accuracy", scene("spring"), "--tolerance", "1"}, "--tolerance: 1 cannot be used"},
+      {{"accuracy", scene("spring"), "--tolerance", "much"}, "--tolerance: much cannot be used"},
+      {{"accuracy", scene("spring"), "--budget", "-5s"}, "--budget: -5s cannot be used; give a time > 0"},
+      {{"accuracy", scene("spring"), "--budget", "5 parsecs"}, "--budget: 5 parsecs"},
+      {{"accuracy", scene("spring"), "--horizon", "0"}, "--horizon: 0 cannot be used"},
+      {{"accuracy", scene("spring"), "--method", "verlet"}, "--method"},
+      {{"accuracy", scene("spring"), "--out", "/dev/null/page"}, "/dev/null/page"},
+      {{"accuracy", scene("spring"), "--json", "/no/such/folder/a.json", "--out", "/tmp"}, "/no/such/folder"},
   };
   for (const auto& [arguments, part] : cases) {
     const Outcome outcome = run_hooke(arguments);
