@@ -153,7 +153,8 @@ std::pair<double, double> energy_range(const AccuracyStudy& study) {
     low = std::min(low, sample.energy.total());
     high = std::max(high, sample.energy.total());
   }
-  const double margin = study.energy_scale + 1e-9 * std::abs(high);
+  double margin = study.energy_scale + 1e-9 * std::abs(high);
+  if (margin == 0.0) margin = 1.0;  // nothing has any energy, and a picture needs a range
   return {low - margin, high + margin};
 }
 

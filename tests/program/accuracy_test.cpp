@@ -1,6 +1,9 @@
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
+#include <thread>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -190,6 +193,20 @@ TEST_CASE("accuracy writes a page, pictures, figures and JSON") {
     CHECK(contains(read_file(folder / ("page/" + std::string(name) + ".svg")), "</svg>"));
     CHECK(read_file(folder / "page/gnuplot.log").empty());
   }
+}
+
+TEST_CASE("Ctrl-C ends a study early, and what it has is kept") {
+  const TemporaryFolder folder;
+  Process process({"accuracy", std::string(HOOKE_SCENES) + "/curtain.json", "--budget", "60s", "--out",
+                   (folder / "page").string(), "--json", (folder / "study.json").string()});
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  process.send(SIGINT);
+  const Outcome outcome = process.wait();
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 130);
+  CHECK(contains(outcome.out, "Stopped early"));
+  CHECK(contains(read_file(folder / "page/index.html"), "Stopped early"));
+  CHECK(json::parse(read_file(folder / "study.json")).at("stopped") == true);
 }
 
 TEST_CASE("without gnuplot the figures and scripts are kept, and it is said") {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "study/method_choice.h"
 #include "study/method_ladder.h"
@@ -43,7 +42,7 @@ class Sweeper {
     const double left = std::max(0.0, end - clock_.elapsed());
     if (!horizons_.empty()) compare_runs(end - (has_long_runs ? long_runs_share * left : 0.0));
     sort();
-    if (has_long_runs) make_long_runs(end);
+    if (has_long_runs && !horizons_.empty()) make_long_runs(end);
     result_.stopped = !clock_.go_on();
     return std::move(result_);
   }
@@ -124,14 +123,22 @@ class Sweeper {
       time_again(scene_, settings_, horizons_, end, clock_, run);
   }
 
-  /// Of each method the coarsest run that was stable, made again to the end of the study's horizon.
+  /// Of each method one run, made again to the end of the study's horizon.
   void make_long_runs(double end) {
-    std::size_t last_method = std::variant_npos;
-    for (const MeasuredRun& run : result_.runs) {
-      if (run.end != RunEnd::reached || run.plan.method.index() == last_method) continue;
-      last_method = run.plan.method.index();
-      make_long_run(run, end);
+    for (std::size_t method = 0; method < ladders_.size(); ++method) {
+      if (const MeasuredRun* const model = model_of_long_run(method)) make_long_run(*model, end);
     }
+  }
+
+  /// The coarsest run of a method that kept to the tolerance, or else that was stable; null where none was.
+  const MeasuredRun* model_of_long_run(std::size_t method) const {
+    const MeasuredRun* model = nullptr;
+    for (const MeasuredRun& run : result_.runs) {
+      if (run.plan.method.index() != method || run.end != RunEnd::reached) continue;
+      if (largest_error(run, horizons_.back()) <= settings_.tolerance) return &run;
+      if (model == nullptr) model = &run;
+    }
+    return model;
   }
 
   void make_long_run(const MeasuredRun& model, double end) {
