@@ -33,14 +33,15 @@ std::string number(double value) {
 std::string head(const std::string& title, const std::string& x, const std::string& y) {
   std::string script =
       "set datafile separator ','\nset datafile missing 'NaN'\n"
-      "set grid back linetype 1 linecolor rgb '#d8d8d8' linewidth 0.7\nset border 3\nset tics nomirror\n"
+      "set grid back linetype 1 linecolor rgb '#d8d8d8' linewidth 0.7\nset border 3\nset tics nomirror\nset "
+      "tmargin 5\n"
       "set key outside right center vertical Left reverse samplen 5 width 1 spacing 1.2\nset format '%g'\n";
   for (std::size_t i = 0; i < looks.size(); ++i) {
     const Look& look = looks[i];
     script += "set style line " + std::to_string(i + 1) + " linewidth 2 pointsize 1.1 linecolor rgb '" +
               look.colour + "' dashtype " + look.dashes + " pointtype " + std::to_string(look.point) + '\n';
   }
-  return script + "set title " + gnuplot_string(title) + " offset 0,1\nset xlabel " + gnuplot_string(x) +
+  return script + "set title " + gnuplot_string(title) + " offset 0,2\nset xlabel " + gnuplot_string(x) +
          "\nset ylabel " + gnuplot_string(y) + '\n';
 }
 
@@ -83,17 +84,19 @@ ErrorAxis error_axis(const AccuracyStudy& study, double horizon, double smallest
           end * std::pow(10.0, 0.4)};
 }
 
-/// Upright lines with a word above them, where they are not over the curves.
+/// Upright lines with a word above them, where they are not over the curves; at two heights, as they may be
+/// near to each other.
 std::string marks(const AccuracyStudy& study, const ErrorAxis& axis) {
-  const auto mark = [](double at, const std::string& word, int dashes) {
+  const auto mark = [](double at, const std::string& word, const std::string& height, int dashes) {
     const std::string x = number(at);
     return "set arrow from " + x + ", graph 0 to " + x +
            ", graph 1 nohead linecolor rgb '#808080' dashtype " + std::to_string(dashes) + "\nset label '" +
-           word + "' at " + x + ", graph 1.03 center\n";
+           word + "' at " + x + ", graph " + height + " center\n";
   };
-  return mark(study.tolerance, "tolerance", 2) +
-         (std::isnan(axis.below_reference) ? std::string() : mark(axis.below_reference, "reference", 4)) +
-         mark(axis.diverged, "diverged", 3);
+  std::string text =
+      mark(study.tolerance, "tolerance", "1.07", 2) + mark(axis.diverged, "diverged", "1.03", 3);
+  if (!std::isnan(axis.below_reference)) text += mark(axis.below_reference, "reference", "1.03", 4);
+  return text;
 }
 
 /// The line style of a method, the same in all pictures.

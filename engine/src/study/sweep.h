@@ -19,7 +19,8 @@ struct Sweep {
 
 /// Runs every method to the last of `horizons` [ticks] from coarse to fine, always the cheapest run next,
 /// until all has been shown or the budget is spent. Where that is not the end of the study's horizon, part of
-/// the budget is kept for long runs: for each method the coarsest that was stable.
+/// the budget is kept for long runs: for each method the coarsest that kept to the tolerance, or else was
+/// stable.
 Sweep sweep_methods(const Scene& scene, const StudySettings& settings, const StepLimits& limits,
                     const ReferenceSolution& reference, const std::vector<unsigned>& horizons,
                     StudyClock& clock);
