@@ -59,7 +59,6 @@ double ReferenceCheck::distance(Simulation<Real>& simulation) const {
     Eigen::Map<Eigen::Matrix<Real, 3, 1>>(&start.positions[3 * i]) = start_[i].cast<Real>();
   }
   std::fill(start.velocities.begin(), start.velocities.end(), Real(0));
-  start.method = {};
   simulation.restore(start);
   const bool ok = simulation.step(steps).ok();
   const double reached = distance(positions_of(simulation));

@@ -30,6 +30,12 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
   return hash ^ (hash >> 33);
 }
 
+template <class Real>
+std::uint64_t mix_value(std::uint64_t hash, Real value) {
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  return mix(hash, std::bit_cast<Bits>(value));
+}
+
 }  // namespace
 
 void ParticleSums::add(const ParticleSums& other) {
@@ -53,13 +59,18 @@ ParticleSums sum_particles(const Model<Real>& model, const Forces<Real>& forces,
 
 template <class Real>
 std::uint64_t hash_state(const State<Real>& state, const Order& order) {
-  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
   const Real* const arrays[] = {state.x(), state.y(), state.z(), state.vx(), state.vy(), state.vz()};
   std::uint64_t hash = mix(state.size(), std::bit_cast<std::uint64_t>(state.time));
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Index e = order.engine(i);
-    for (const Real* array : arrays) hash = mix(hash, std::bit_cast<Bits>(array[e]));
+    for (const Real* array : arrays) hash = mix_value(hash, array[e]);
   }
+  return hash;
+}
+
+template <class Real>
+std::uint64_t hash_values(std::span<const Real> values, std::uint64_t hash) {
+  for (Real value : values) hash = mix_value(hash, value);
   return hash;
 }
 
@@ -69,5 +80,7 @@ template ParticleSums sum_particles(const Model<double>&, const Forces<double>&,
                                     Executor&);
 template std::uint64_t hash_state(const State<float>&, const Order&);
 template std::uint64_t hash_state(const State<double>&, const Order&);
+template std::uint64_t hash_values(std::span<const float>, std::uint64_t);
+template std::uint64_t hash_values(std::span<const double>, std::uint64_t);
 
 }  // namespace hooke

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include <hooke/report.h>
 #include <hooke/vec3.h>
 
@@ -24,5 +27,9 @@ ParticleSums sum_particles(const Model<Real>& model, const Forces<Real>& forces,
 /// A hash of the bits of time, positions and velocities in the user's numbering.
 template <class Real>
 std::uint64_t hash_state(const State<Real>& state, const Order& order);
+
+/// A hash of the bits of some values, going on from another hash.
+template <class Real>
+std::uint64_t hash_values(std::span<const Real> values, std::uint64_t hash);
 
 }  // namespace hooke

@@ -34,6 +34,12 @@ std::vector<Real> velocities_of(const State<Real>& state, const Order& order) {
   return velocities;
 }
 
+/// A hash of the positions and velocities of a snapshot.
+template <class Real>
+std::uint64_t hash_of_state(const Snapshot<Real>& snapshot) {
+  return hash_values<Real>(snapshot.velocities, hash_values<Real>(snapshot.positions, 0));
+}
+
 template <class Real>
 void check_memory(const MethodMemory<Real>& memory, std::size_t particles) {
   if (!memory.velocities.empty()) check_values("the method's velocities", memory.velocities, particles);
@@ -56,6 +62,7 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
   snapshot.time = p.states.now().time;
   snapshot.step = p.steps;
   snapshot.remainder = p.clock.remainder();
+  snapshot.method.state = hash_of_state(snapshot);
   const State<Real>& now = p.states.now();
   if (now.pending_kick != 0.0) {
     snapshot.method.velocities = velocities_of(now, p.model.order);
@@ -78,8 +85,10 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   p.clock.set_remainder(snapshot.remainder);
   // Velocities without their last kick are of use only to a method that would leave the same kick pending.
   const double last_kick = p.scheme.last_kick() * p.settings.step;
-  const bool pending = !snapshot.method.velocities.empty() && snapshot.method.pending_kick == last_kick;
-  const std::vector<Real>& velocities = pending ? snapshot.method.velocities : snapshot.velocities;
+  const MethodMemory<Real> memory =
+      snapshot.method.state == hash_of_state(snapshot) ? snapshot.method : MethodMemory<Real>{};
+  const bool pending = !memory.velocities.empty() && memory.pending_kick == last_kick;
+  const std::vector<Real>& velocities = pending ? memory.velocities : snapshot.velocities;
   for (std::size_t i = 0; i < p.model.particles(); ++i) {
     const Index e = p.model.order.engine(i);
     p.states.now().set_position(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.positions[3 * i]));
@@ -89,7 +98,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   p.states.now().pending_kick = pending ? last_kick : 0.0;
   p.states.drop();
   p.whole.forget();
-  if (p.controlled) p.controlled->restart(snapshot.method.next_step, snapshot.method.last_error);
+  if (p.controlled) p.controlled->restart(memory.next_step, memory.last_error);
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
 }

@@ -83,6 +83,26 @@ TEST_CASE("a snapshot of one method goes on with another one, from its positions
   }
 }
 
+TEST_CASE("velocities and positions that are changed in a snapshot count, whatever the method carries") {
+  const Scene scene = damped_cloth();
+  for (const Method& method : all_methods()) {
+    CAPTURE(name_of(method));
+    Simulation<double> simulation(scene, settings(method));
+    REQUIRE(simulation.step(20).ok());
+    Snapshot<double> snapshot = simulation.snapshot();
+    snapshot.velocities[3 * 100] += 1.0;
+    simulation.restore(snapshot);
+    CHECK(velocity(simulation, 100).x() == snapshot.velocities[3 * 100]);
+    REQUIRE(simulation.step(5).ok());
+
+    Simulation<double> afresh(scene, settings(method));
+    snapshot.method = {};
+    afresh.restore(snapshot);
+    REQUIRE(afresh.step(5).ok());
+    CHECK(afresh.state_hash() == simulation.state_hash());
+  }
+}
+
 TEST_CASE("a snapshot whose method carries nonsense is refused, and nothing is changed") {
   const Scene scene = damped_cloth();
   Simulation<float> simulation(scene, settings(Verlet{}));

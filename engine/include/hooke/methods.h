@@ -112,7 +112,7 @@ struct DormandPrince {
   double smallest_step = 1e-9;      ///< [s], > 0: where a shorter one is needed, the step is not taken
 
   static constexpr int order = 5, force_evaluations = 6;
-  static constexpr double oscillation_limit = 0.998;
+  static constexpr double oscillation_limit = 0.997;
 
   static constexpr std::string_view name = "dormand_prince";
   template <class Self, class Visit>

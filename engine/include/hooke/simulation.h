@@ -51,10 +51,12 @@ struct StateView {
   std::span<const Real> vx, vy, vz;  ///< [m/s]
 };
 
-/// What a method carries from one step to the next beside the state. A snapshot without it can be restored
-/// too; then the run goes on with other bits.
+/// What a method carries from one step to the next beside the state. It is of use only with the positions and
+/// velocities that it was taken with: where those have been changed, or this is empty, a restored run begins
+/// afresh from them.
 template <class Real>
 struct MethodMemory {
+  std::uint64_t state = 0;  ///< a hash of these positions and velocities
   std::vector<Real> velocities;  ///< like a snapshot's, but without the kick that is pending; empty: none is
   double pending_kick = 0.0;     ///< [s] of acceleration that these velocities lack
   double next_step = 0.0;        ///< [s] that error control will try next; 0: it starts afresh
