@@ -187,8 +187,8 @@ Plot energy_plot(const AccuracyReport& report) {
   Plot plot;
   plot.name = "energy";
   plot.caption =
-      "Total energy over time, of the coarsest run of each method that got furthest, and of the "
-      "reference. A curve that leaves the picture is of a run that diverges.";
+      "Total energy over time, of one run of each method and of the reference. A curve that leaves the "
+      "picture is of a run that diverges.";
   plot.script = head(study.scene + ": total energy", "time [s]", "kinetic + elastic + external energy [J]") +
                 "set yrange [" + number(low) + ":" + number(high) +
                 "]\nset xrange [0:" + number(study.horizon) + "]\n" +

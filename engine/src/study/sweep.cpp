@@ -39,11 +39,17 @@ class Sweeper {
   Sweep sweep() {
     const double end = budget_share * settings_.budget;
     const bool has_long_runs = reference_.trusted < last_tick && reference_.reaches_horizon();
-    const double left = std::max(0.0, end - clock_.elapsed());
-    if (!horizons_.empty()) compare_runs(end - (has_long_runs ? long_runs_share * left : 0.0));
+    if (horizons_.empty()) return std::move(result_);
+    if (has_long_runs) {
+      const double left = std::max(0.0, end - clock_.elapsed());
+      compare_runs(end - long_runs_share * left);
+      sort();
+      make_long_runs(end);
+    }
+    compare_runs(end);
     sort();
-    if (has_long_runs && !horizons_.empty()) make_long_runs(end);
     result_.stopped = !clock_.go_on();
+    if (!result_.stopped) omit_all(end - clock_.elapsed());
     return std::move(result_);
   }
 
@@ -51,15 +57,10 @@ class Sweeper {
   /// The part of the study's horizon over which runs are compared.
   double compared_share() const { return double(horizons_.back()) / last_tick; }
 
-  /// Makes runs until the study's clock comes to `end` [s].
+  /// Makes runs that are expected to be done before the study's clock comes to `end` [s].
   void compare_runs(double end) {
     for (Choice choice = cheapest(); std::isfinite(choice.seconds); choice = cheapest()) {
-      if (!clock_.go_on()) return;
-      const double left = end - clock_.elapsed();
-      if (choice.seconds > left) {
-        omit_all(left);
-        return;
-      }
+      if (!clock_.go_on() || choice.seconds > end - clock_.elapsed()) return;
       run(choice, end);
     }
   }
@@ -123,11 +124,16 @@ class Sweeper {
       time_again(scene_, settings_, horizons_, end, clock_, run);
   }
 
-  /// Of each method one run, made again to the end of the study's horizon.
+  /// Of each method one run, made again to the end of the study's horizon; the cheapest first.
   void make_long_runs(double end) {
+    std::vector<const MeasuredRun*> models;
     for (std::size_t method = 0; method < ladders_.size(); ++method) {
-      if (const MeasuredRun* const model = model_of_long_run(method)) make_long_run(*model, end);
+      if (const MeasuredRun* const model = model_of_long_run(method)) models.push_back(model);
     }
+    std::sort(models.begin(), models.end(),
+              [](const MeasuredRun* a, const MeasuredRun* b) { return a->seconds < b->seconds; });
+    for (const MeasuredRun* model : models) make_long_run(*model, end);
+    std::sort(result_.long_runs.begin(), result_.long_runs.end(), comes_first);
   }
 
   /// The coarsest run of a method that kept to the tolerance, or else that was stable; null where none was.
@@ -171,14 +177,16 @@ class Sweeper {
     }
   }
 
-  void sort() {
+  /// By method, from coarse to fine.
+  static bool comes_first(const MeasuredRun& a, const MeasuredRun& b) {
     const auto key = [](const MeasuredRun& run) {
       const double fineness = std::isnan(run.choice.tolerance) ? -run.choice.step : -run.choice.tolerance;
       return std::pair(run.plan.method.index(), fineness);
     };
-    std::sort(result_.runs.begin(), result_.runs.end(),
-              [&](const MeasuredRun& a, const MeasuredRun& b) { return key(a) < key(b); });
+    return key(a) < key(b);
   }
+
+  void sort() { std::sort(result_.runs.begin(), result_.runs.end(), comes_first); }
 
   const Scene& scene_;
   const StudySettings& settings_;
