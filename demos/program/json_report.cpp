@@ -19,6 +19,7 @@ Json flags(std::uint32_t bits) {
   Json names = Json::array();
   if (bits & flag_not_finite) names.push_back("not_finite");
   if (bits & flag_steps_dropped) names.push_back("steps_dropped");
+  if (bits & flag_step_too_small) names.push_back("step_too_small");
   return names;
 }
 
@@ -65,6 +66,8 @@ std::string json_report(const RunResult& result) {
   report["threads"] = result.threads;
   report["step"] = number(result.step);
   report["steps"] = result.steps;
+  report["force_evaluations"] = result.force_evaluations;
+  report["rejected_steps"] = result.rejected_steps;
   report["simulated_seconds"] = number(result.simulated_seconds);
   report["wall_seconds"] = number(result.wall_seconds);
   report["compile_seconds"] = number(result.compile_seconds);

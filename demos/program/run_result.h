@@ -25,7 +25,9 @@ struct RunResult {
   unsigned threads = 0;
   double step = 0.0;  ///< [s]
 
-  std::uint64_t steps = 0;           ///< good steps taken
+  std::uint64_t steps = 0;  ///< good steps taken
+  std::uint64_t force_evaluations = 0;
+  std::uint64_t rejected_steps = 0;  ///< that error control took again
   double simulated_seconds = 0.0;    ///< [s]
   double wall_seconds = 0.0;         ///< [s] spent in steps alone
   double compile_seconds = 0.0;      ///< [s] spent on making the simulation of the scene

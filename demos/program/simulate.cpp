@@ -37,6 +37,8 @@ bool take_steps(Simulation<Real>& simulation, std::uint64_t count, RunResult& re
   const Report report = simulation.step(count);
   result.wall_seconds += stopwatch.seconds();
   result.steps = simulation.steps();
+  result.force_evaluations += report.force_evaluations;
+  result.rejected_steps += report.rejected_steps;
   add(report.sweeps, result.sweeps);
   result.flags |= report.flags;
   if (report.ok()) return true;

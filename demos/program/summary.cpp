@@ -40,7 +40,10 @@ void print_summary(const RunResult& result, std::ostream& out) {
       << (result.threads == 1 ? " thread\n" : " threads\n");
   if (result.interrupted_by != 0) out << "  interrupted; what follows is of the run so far\n";
   out << "  steps            " << result.steps << " of " << rounded(result.step)
-      << " s: " << result.simulated_seconds << " s simulated\n";
+      << " s: " << result.simulated_seconds << " s simulated, " << result.force_evaluations
+      << " evaluations of forces";
+  if (result.rejected_steps > 0) out << ", " << result.rejected_steps << " steps taken again";
+  out << '\n';
   out << "  wall time        " << rounded(result.wall_seconds) << " s in steps, "
       << rounded(result.compile_seconds) << " s to compile the scene, " << rounded(result.total_wall_seconds)
       << " s in all\n";

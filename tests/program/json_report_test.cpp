@@ -31,6 +31,8 @@ RunResult good_result() {
   result.max_strain = 0.1;
   result.max_strain_end = 0.05;
   result.frames = 31;
+  result.force_evaluations = 4000;
+  result.rejected_steps = 3;
   result.state_hash = 0x0123'4567'89ab'cdefULL;
   result.simulation_bytes = 200'000;
   result.peak_memory_bytes = 9'000'000;
@@ -48,6 +50,8 @@ TEST_CASE("a report says what the run did") {
   CHECK(report.at("threads") == 2);
   CHECK(report.at("step") == 0.001);
   CHECK(report.at("steps") == 1000);
+  CHECK(report.at("force_evaluations") == 4000);
+  CHECK(report.at("rejected_steps") == 3);
   CHECK(report.at("simulated_seconds") == 1.0);
   CHECK(report.at("wall_seconds") == 0.05);
   CHECK(report.at("total_wall_seconds") == 0.1);
@@ -70,13 +74,13 @@ TEST_CASE("a report says what the run did") {
 
 TEST_CASE("a report of a run that went bad says where") {
   RunResult result = good_result();
-  result.flags = flag_not_finite | flag_steps_dropped;
+  result.flags = flag_not_finite | flag_steps_dropped | flag_step_too_small;
   result.first_bad_particle = 0;
   result.bad_step = 17;
   result.message = "step 17 went bad";
   result.interrupted_by = 2;
   const json report = json::parse(json_report(result));
-  CHECK(report.at("flags") == json::array({"not_finite", "steps_dropped"}));
+  CHECK(report.at("flags") == json::array({"not_finite", "steps_dropped", "step_too_small"}));
   CHECK(report.at("first_bad_particle") == 0);
   CHECK(report.at("bad_step") == 17);
   CHECK(report.at("message") == "step 17 went bad");
