@@ -42,7 +42,9 @@ void print_summary(const RunResult& result, std::ostream& out) {
   out << "  steps            " << result.steps << " of " << rounded(result.step)
       << " s: " << result.simulated_seconds << " s simulated, " << result.force_evaluations
       << " evaluations of forces";
-  if (result.rejected_steps > 0) out << ", " << result.rejected_steps << " steps taken again";
+  if (result.rejected_steps > 0)
+    out << ", " << result.rejected_steps
+        << (result.rejected_steps == 1 ? " step taken again" : " steps taken again");
   out << '\n';
   out << "  wall time        " << rounded(result.wall_seconds) << " s in steps, "
       << rounded(result.compile_seconds) << " s to compile the scene, " << rounded(result.total_wall_seconds)
