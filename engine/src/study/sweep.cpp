@@ -39,7 +39,10 @@ class Sweeper {
   Sweep sweep() {
     const double end = budget_share * settings_.budget;
     const bool has_long_runs = reference_.trusted < last_tick && reference_.reaches_horizon();
-    if (horizons_.empty()) return std::move(result_);
+    if (horizons_.empty()) {
+      result_.stopped = !clock_.go_on();
+      return std::move(result_);
+    }
     if (has_long_runs) {
       const double left = std::max(0.0, end - clock_.elapsed());
       compare_runs(end - long_runs_share * left);
