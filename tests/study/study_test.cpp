@@ -88,7 +88,8 @@ TEST_CASE("no error is shown that is less than 100 times the difference of the r
 }
 
 TEST_CASE("where motion is chaotic, positions are compared only as long as the references agree") {
-  const AccuracyStudy study = study_accuracy(triple_pendulum(), {.horizon = 30.0, .budget = 20.0});
+  const AccuracyStudy study =
+      study_accuracy(triple_pendulum(), {.tolerance = 0.01, .horizon = 30.0, .budget = 12.0});
   CHECK(study.reference.reached == 30.0);
   CHECK(study.reference.trusted_until > 0.5);
   CHECK(study.reference.trusted_until < 30.0);
@@ -97,7 +98,7 @@ TEST_CASE("where motion is chaotic, positions are compared only as long as the r
     if (study.reference.times[i] <= study.reference.trusted_until)
       CHECK(100.0 * study.reference.agreement[i] <= study.tolerance);
   }
-  CHECK(*std::max_element(study.reference.agreement.begin(), study.reference.agreement.end()) > 1e-3);
+  CHECK(*std::max_element(study.reference.agreement.begin(), study.reference.agreement.end()) > 1e-2);
   for (const AccuracyRun& run : study.runs) CHECK(run.horizon <= study.reference.trusted_until);
   CHECK(study.answer.horizon == study.reference.trusted_until);
   CHECK(contains(study.answer.text, "of 30 s asked for"));

@@ -103,7 +103,8 @@ TEST_CASE("errors on an oscillator are those of each method's exact discrete sol
 }
 
 TEST_CASE("above its limit a method is said to diverge, and below it is not") {
-  const AccuracyStudy study = study_accuracy(oscillator(), {.horizon = 19.3, .budget = 20.0, .threads = 1});
+  const AccuracyStudy study =
+      study_accuracy(oscillator(), {.tolerance = 0.05, .horizon = 19.3, .budget = 20.0, .threads = 1});
   const std::map<std::string, double> limits{
       {"symplectic_euler", 2.0}, {"verlet", 2.0}, {"runge_kutta_4", 2.83}};
   for (const auto& [method, runs] : by_method(study)) {
@@ -124,8 +125,7 @@ TEST_CASE("above its limit a method is said to diverge, and below it is not") {
 }
 
 TEST_CASE("slopes over halved steps are the methods' orders") {
-  const AccuracyStudy study =
-      study_accuracy(double_pendulum(), {.tolerance = 1e-4, .horizon = 2.0, .budget = 20.0});
+  const AccuracyStudy study = study_accuracy(double_pendulum(), {.horizon = 2.0, .budget = 20.0});
   REQUIRE(study.reference.trusted_until == 2.0);
   const std::map<std::string, int> orders{
       {"symplectic_euler", 1}, {"explicit_euler", 1}, {"midpoint", 2},   {"heun", 2},
@@ -147,8 +147,7 @@ TEST_CASE("slopes over halved steps are the methods' orders") {
 }
 
 TEST_CASE("a smaller tolerance of a method that chooses its steps costs more and errs less") {
-  const AccuracyStudy study =
-      study_accuracy(double_pendulum(), {.tolerance = 1e-4, .horizon = 2.0, .budget = 20.0});
+  const AccuracyStudy study = study_accuracy(double_pendulum(), {.horizon = 2.0, .budget = 20.0});
   const auto runs = by_method(study);
   REQUIRE(runs.contains("dormand_prince"));
   const auto& tried = runs.at("dormand_prince");
