@@ -56,7 +56,7 @@ struct StateView {
 /// afresh from them.
 template <class Real>
 struct MethodMemory {
-  std::uint64_t state = 0;  ///< a hash of these positions and velocities
+  std::uint64_t state = 0;       ///< a hash of these positions and velocities
   std::vector<Real> velocities;  ///< like a snapshot's, but without the kick that is pending; empty: none is
   double pending_kick = 0.0;     ///< [s] of acceleration that these velocities lack
   double next_step = 0.0;        ///< [s] that error control will try next; 0: it starts afresh
