@@ -124,6 +124,20 @@ TEST_CASE("the table says which runs diverged and which errors the reference can
   CHECK(contains(below.str(), "< 1e-07"));
 }
 
+TEST_CASE("the table is of the longest horizon; of the shorter one, too, where trust ends early") {
+  const auto printed = [](double trusted_until) {
+    AccuracyStudy study = sample_report().study;
+    study.reference.trusted_until = trusted_until;
+    std::ostringstream out;
+    print_study(study, out);
+    return out.str();
+  };
+  CHECK(contains(printed(4.0), "Over 4 s"));
+  CHECK(!contains(printed(4.0), "Over 0.4 s"));
+  CHECK(contains(printed(3.9), "Over 4 s"));
+  CHECK(contains(printed(3.9), "Over 0.4 s"));
+}
+
 TEST_CASE("a page holds all it shows, and takes no text for HTML") {
   const std::string page = accuracy_page(sample_report(), {{"a <caption>", "<svg>Ma</svg>"}, {"second", ""}});
   CHECK(page.starts_with("<!DOCTYPE html>"));
