@@ -16,9 +16,12 @@ bool is_good(const AccuracyRun& run, double tolerance) {
 std::string question(const AccuracyStudy& study, double horizon) {
   std::string text =
       "for " + short_text(study.tolerance) + " of the scene size over " + short_text(horizon) + " s";
-  if (horizon < study.horizon)
-    text +=
-        " (of " + short_text(study.horizon) + " s asked for: there the reference stops being trustworthy)";
+  if (horizon < study.horizon) {
+    const bool parted = study.reference.trusted_until < study.reference.reached;
+    text += " (of " + short_text(study.horizon) + " s asked for: " +
+            (parted ? "there the reference stops being trustworthy)"
+                    : "so far the references came within the budget)");
+  }
   return text + ": ";
 }
 
