@@ -17,7 +17,7 @@ constexpr double proportional = 0.7, integral = 0.4;
 }  // namespace
 
 double StepController::after(double error) {
-  if (!accepts(error) || !std::isfinite(error)) {
+  if (!accepts(error)) {
     rejected_ = true;
     if (!std::isfinite(error)) return shortest;
     return std::clamp(safety * std::pow(error, -1.0 / order_), shortest, safety);
