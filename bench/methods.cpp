@@ -76,8 +76,7 @@ void time_method(benchmark::State& state, const Case& timed, const Method& metho
 
 template <class Real>
 void register_method(const std::shared_ptr<const Case>& timed, const Method& method, unsigned threads) {
-  const auto method_name = std::visit([](const auto& data) { return std::string(data.name); }, method);
-  const std::string name = timed->name() + "/" + method_name + "/" +
+  const std::string name = timed->name() + "/" + std::string(to_string(method)) + "/" +
                            (sizeof(Real) == 4 ? "float" : "double") + "/threads:" + std::to_string(threads);
   const auto run = [=](benchmark::State& state) { time_method<Real>(state, *timed, method, threads); };
   benchmark::RegisterBenchmark(name.c_str(), run)->UseRealTime()->Unit(benchmark::kMicrosecond);

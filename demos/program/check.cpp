@@ -24,7 +24,7 @@ void print_contents(const SceneFile& file, std::ostream& out) {
     out << separator << std::visit([](const auto& one) { return one.name; }, effect);
     separator = ", ";
   }
-  out << (scene.effects.empty() ? " none" : "") << "; " << name_of(file.settings.method) << ", step "
+  out << (scene.effects.empty() ? " none" : "") << "; " << to_string(file.settings.method) << ", step "
       << file.settings.step << " s\n";
 }
 

@@ -1,24 +1,11 @@
 #include "program/choices.h"
 
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <variant>
 
 namespace hooke::program {
 namespace {
 
 constexpr std::array precisions{Precision::single, Precision::twofold};
-
-template <std::size_t... I>
-std::array<Method, sizeof...(I)> methods(std::index_sequence<I...>) {
-  return {Method(std::in_place_index<I>)...};
-}
-
-/// One of each method, with its default parameters.
-auto methods() {
-  return methods(std::make_index_sequence<std::variant_size_v<Method>>{});
-}
 
 template <class Choices, class Name>
 std::vector<std::string> names(const Choices& choices, Name name) {
@@ -36,22 +23,18 @@ auto find(const Choices& choices, Name name, std::string_view wanted) {
   return found;
 }
 
-const auto method_name = [](const Method& method) { return name_of(method); };
+const auto method_name = [](const Method& method) { return to_string(method); };
 const auto accumulation_name = [](Accumulation accumulation) { return to_string(accumulation); };
 const auto precision_name = [](Precision precision) { return name_of(precision); };
 
 }  // namespace
-
-std::string_view name_of(const Method& method) {
-  return std::visit([](const auto& one) { return std::string_view(one.name); }, method);
-}
 
 std::string_view name_of(Precision precision) {
   return precision == Precision::single ? "float" : "double";
 }
 
 std::vector<std::string> method_names() {
-  return names(methods(), method_name);
+  return names(all_methods, method_name);
 }
 std::vector<std::string> accumulation_names() {
   return names(accumulations, accumulation_name);
@@ -61,7 +44,7 @@ std::vector<std::string> precision_names() {
 }
 
 std::optional<Method> method_named(std::string_view name) {
-  return find(methods(), method_name, name);
+  return find(all_methods, method_name, name);
 }
 
 std::optional<Accumulation> accumulation_named(std::string_view name) {

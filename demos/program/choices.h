@@ -16,7 +16,6 @@ namespace hooke::program {
 /// The type of the numbers that a simulation runs on.
 enum class Precision { single, twofold };
 
-std::string_view name_of(const Method& method);
 std::string_view name_of(Precision precision);
 
 std::vector<std::string> method_names();

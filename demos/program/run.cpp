@@ -33,7 +33,7 @@ template <class Real>
 void describe(const Simulation<Real>& simulation, RunResult& result) {
   result.particles = simulation.particle_count();
   result.springs = simulation.spring_count();
-  result.method = name_of(simulation.settings().method);
+  result.method = to_string(simulation.settings().method);
   result.accumulation = to_string(simulation.settings().accumulation);
   result.threads = simulation.threads();
   result.step = simulation.settings().step;

@@ -18,8 +18,11 @@ Sweep<Real> spring_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
 }
 
 Stage method_stage(const Method& method, std::size_t bytes) {
-  const auto name = std::visit([](const auto& data) { return std::string(data.name); }, method);
-  return {name, "", {"force", "position", "velocity", "inverse mass"}, {"position", "velocity"}, bytes};
+  return {std::string(to_string(method)),
+          "",
+          {"force", "position", "velocity", "inverse mass"},
+          {"position", "velocity"},
+          bytes};
 }
 
 template <class Real>

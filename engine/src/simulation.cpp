@@ -34,6 +34,13 @@ void write_positions(Out* first, std::size_t stride_bytes, const Order& order, c
   });
 }
 
+/// Whose message says which function was called in vain.
+void require_particle(const char* function, Index particle, std::size_t particles) {
+  if (particle < particles) return;
+  throw std::out_of_range(std::string(function) + ": there is no particle " + std::to_string(particle) +
+                          "; give one below " + std::to_string(particles));
+}
+
 template <class Out, class Real>
 void write_velocities(Out* first, std::size_t stride_bytes, const Order& order, const State<Real>& now) {
   write_vectors(first, stride_bytes, order, [&](Index e) { return now.velocity(e); });
@@ -118,10 +125,7 @@ StateView<Real> Simulation<Real>::state() const {
 
 template <class Real>
 Index Simulation<Real>::engine_index(Index particle) const {
-  if (particle >= parts_->model.particles()) {
-    throw std::out_of_range("engine_index: there is no particle " + std::to_string(particle) +
-                            "; give one below " + std::to_string(parts_->model.particles()));
-  }
+  require_particle("engine_index", particle, particle_count());
   return parts_->model.order.engine(particle);
 }
 
@@ -145,6 +149,28 @@ void Simulation<Real>::copy_velocities(float* first, std::size_t stride_bytes) c
 template <class Real>
 void Simulation<Real>::copy_velocities(double* first, std::size_t stride_bytes) const {
   write_velocities(first, stride_bytes, parts_->model.order, parts_->whole_state());
+}
+
+template <class Real>
+void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
+  require_particle("apply_impulse", particle, particle_count());
+  Parts& p = *parts_;
+  const Index e = p.model.order.engine(particle);
+  const State<Real>& whole = p.whole_state();
+  const Vec3 change = impulse * double(p.model.inverse_mass[e]);
+  const Eigen::Matrix<Real, 3, 1> velocity =
+      (whole.velocity(e).template cast<double>() + change).template cast<Real>();
+  if (!velocity.allFinite()) {
+    throw std::invalid_argument("apply_impulse: particle " + std::to_string(particle) +
+                                " would get a velocity that is not finite; give a finite, smaller impulse");
+  }
+  // A kick that is still pending goes first: its forces may depend on the velocity before the impulse.
+  State<Real>& now = p.states.now();
+  if (now.pending_kick != 0.0) now = whole;
+  now.set_velocity(e, velocity);
+  p.whole.forget();
+  // What error control knows of the forces here may depend on the velocity.
+  if (p.controlled) p.controlled->restart(p.controlled->next_step(), p.controlled->last_error());
 }
 
 template <class Real>

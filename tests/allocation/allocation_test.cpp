@@ -5,7 +5,6 @@
 #include <new>
 
 #include "irregular_mesh.h"
-#include "methods.h"
 #include "scenes.h"
 
 namespace {
@@ -51,9 +50,9 @@ TEST_CASE_TEMPLATE("a step allocates nothing, in any mode, by any method, on any
   mesh.effects = {Gravity{}, GroundPlane{.height = -1.0, .stiffness = 10.0}};
   for (const Scene& scene : {grid, mesh}) {
     for (auto accumulation : accumulations) {
-      for (const Method& method : test::all_methods()) {
+      for (const Method& method : all_methods) {
         for (unsigned threads : {1u, 2u}) {
-          CAPTURE(test::name_of(method));
+          CAPTURE(to_string(method));
           Simulation<Real> simulation(
               scene, {.method = method, .step = 1e-4, .accumulation = accumulation, .threads = threads});
           REQUIRE(simulation.step(20).ok());

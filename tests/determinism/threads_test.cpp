@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include "irregular_mesh.h"
-#include "methods.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -54,9 +53,9 @@ TEST_CASE_TEMPLATE("same bits on 1, 2, 3, 4 and 7 threads after 1,000 steps", Re
 
 TEST_CASE("every method gives the same bits on 1 and 3 threads, in both modes that can be reproduced") {
   const Scene scene = irregular_cloth();
-  for (const Method& method : all_methods()) {
+  for (const Method& method : all_methods) {
     for (auto accumulation : {Accumulation::gather, Accumulation::coloured}) {
-      CAPTURE(name_of(method));
+      CAPTURE(to_string(method));
       const auto hash = [&](unsigned threads) {
         Simulation<float> simulation(
             scene, {.method = method, .step = 1e-4, .accumulation = accumulation, .threads = threads});

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "irregular_mesh.h"
-#include "methods.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -49,8 +48,8 @@ Scene exploding() {
 
 TEST_CASE_TEMPLATE("many steps at once give the same bits as one after the other", Real, float, double) {
   for (const Scene& scene : scenes()) {
-    for (const Method& method : all_methods()) {
-      CAPTURE(name_of(method));
+    for (const Method& method : all_methods) {
+      CAPTURE(to_string(method));
       Simulation<Real> single(scene, {.method = method, .step = 1e-4, .threads = 1});
       for (int i = 0; i < steps; ++i) REQUIRE(single.step().ok());
       for (unsigned threads : {1u, 2u, 3u, 7u}) {

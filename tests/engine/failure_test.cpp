@@ -7,7 +7,6 @@
 
 #include <hooke/hooke.h>
 
-#include "methods.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -74,9 +73,9 @@ TEST_CASE("the first bad particle is the lowest of the user's numbers, on any nu
 }
 
 TEST_CASE("what a callback throws reaches the caller, and the state is as before") {
-  for (const Method& method : all_methods()) {
+  for (const Method& method : all_methods) {
     for (auto accumulation : {Accumulation::gather, Accumulation::coloured}) {
-      CAPTURE(name_of(method));
+      CAPTURE(to_string(method));
       Scene scene = hung_cloth(20, 20), calm = scene;
       int calls_until_angry = -1;
       scene.effects.push_back(Field{[&](const Vec3&, double) -> Vec3 {
@@ -118,8 +117,8 @@ TEST_CASE_TEMPLATE("coincident particles, zero rest length, no springs, one part
   tiny_rest.springs.rest_length[0] = 1e-38;
   for (const Scene& scene : {coincident, zero_rest, nearly, denormal, tiny_rest, one_particle()}) {
     for (auto accumulation : accumulations) {
-      for (const Method& method : all_methods()) {
-        CAPTURE(name_of(method));
+      for (const Method& method : all_methods) {
+        CAPTURE(to_string(method));
         Simulation<Real> simulation(scene, {.method = method, .step = 1e-3, .accumulation = accumulation});
         CHECK(simulation.step(100).ok());
         CHECK(finite(simulation));

@@ -1,5 +1,3 @@
-#include "methods.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -36,9 +34,9 @@ Scene bouncing_ball() {
 
 TEST_CASE("to look at a run between its steps does not change it") {
   const Scene scene = damped_cloth();
-  for (const Method& method : all_methods()) {
+  for (const Method& method : all_methods) {
     for (auto accumulation : {Accumulation::gather, Accumulation::coloured}) {
-      CAPTURE(name_of(method));
+      CAPTURE(to_string(method));
       Simulation<float> alone(scene, settings(method, accumulation)),
           watched = Simulation<float>(scene, settings(method, accumulation));
       REQUIRE(alone.step(40).ok());
@@ -54,8 +52,8 @@ TEST_CASE("to look at a run between its steps does not change it") {
 
 TEST_CASE("a run goes on from a snapshot with the same bits, whatever the method carries") {
   const Scene scene = damped_cloth();
-  for (const Method& method : all_methods()) {
-    CAPTURE(name_of(method));
+  for (const Method& method : all_methods) {
+    CAPTURE(to_string(method));
     Simulation<float> whole(scene, settings(method)), first(scene, settings(method));
     REQUIRE(whole.step(60).ok());
     REQUIRE(first.step(30).ok());
@@ -85,8 +83,8 @@ TEST_CASE("a snapshot of one method goes on with another one, from its positions
 
 TEST_CASE("velocities and positions that are changed in a snapshot count, whatever the method carries") {
   const Scene scene = damped_cloth();
-  for (const Method& method : all_methods()) {
-    CAPTURE(name_of(method));
+  for (const Method& method : all_methods) {
+    CAPTURE(to_string(method));
     Simulation<double> simulation(scene, settings(method));
     REQUIRE(simulation.step(20).ok());
     Snapshot<double> snapshot = simulation.snapshot();
@@ -133,7 +131,7 @@ TEST_CASE("velocities that are made whole on demand may be asked for by several 
 
 TEST_CASE("the report counts evaluations of forces") {
   const Scene scene = damped_cloth();
-  for (const Method& method : all_methods()) {
+  for (const Method& method : all_methods) {
     if (std::holds_alternative<DormandPrince>(method)) continue;
     const int each = std::visit([](const auto& data) { return data.force_evaluations; }, method);
     CHECK(Simulation<float>(scene, settings(method)).step(7).force_evaluations == std::uint64_t(7 * each));

@@ -125,6 +125,48 @@ TEST_CASE("a snapshot that does not fit is refused and changes nothing") {
   CHECK(simulation.state_hash() == before);
 }
 
+TEST_CASE("an impulse is the same as an edited snapshot, with every method, springs damped and not") {
+  const Vec3 impulse(1e-3, 2e-3, -3e-3);
+  for (const Method& method : all_methods) {
+    CAPTURE(to_string(method));
+    Scene scene = irregular_cloth();
+    scene.effects.push_back(Drag{1e-3});
+    Simulation<double> pushed(scene, {.method = method, .step = 1e-3});
+    REQUIRE(pushed.step(50).ok());
+    Simulation<double> edited(scene, {.method = method, .step = 1e-3});
+    const Vec3 momentum = pushed.momentum();
+
+    auto snapshot = pushed.snapshot();
+    for (int axis = 0; axis < 3; ++axis)
+      snapshot.velocities[3 * 17 + std::size_t(axis)] += impulse[axis] / scene.particles.mass[17];
+    edited.restore(snapshot);
+    pushed.apply_impulse(17, impulse);
+    CHECK((pushed.momentum() - momentum - impulse).norm() < 1e-13);
+    CHECK((velocity(pushed, 17) - velocity(edited, 17)).norm() < 1e-14);
+
+    REQUIRE(pushed.step(50).ok());
+    REQUIRE(edited.step(50).ok());
+    for (Index i = 0; i < scene.particles.size(); ++i)
+      CHECK((position(pushed, i) - position(edited, i)).norm() <
+            1e-6 * impulse.norm() / scene.particles.mass[17]);
+  }
+}
+
+TEST_CASE("an impulse moves no pin, and one that cannot be used changes nothing") {
+  const Scene scene = irregular_cloth();
+  Simulation<float> simulation(scene, {.step = 1e-3});
+  REQUIRE(simulation.step(3).ok());
+  const std::uint64_t before = simulation.state_hash();
+  simulation.apply_impulse(scene.pins[0].particle, {1, 2, 3});
+  CHECK(simulation.state_hash() == before);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH_AS(simulation.apply_impulse(5, {0, infinity, 0}), doctest::Contains("particle 5"),
+                       std::invalid_argument);
+  CHECK_THROWS_AS(simulation.apply_impulse(5, {0, 1e38, 0}), std::invalid_argument);  // too much for a float
+  CHECK_THROWS_AS(simulation.apply_impulse(Index(scene.particles.size()), {0, 1, 0}), std::out_of_range);
+  CHECK(simulation.state_hash() == before);
+}
+
 TEST_CASE("every fault of scene and settings is thrown at once") {
   Scene scene = one_particle();
   scene.particles.mass[0] = -1.0;

@@ -91,7 +91,7 @@ TEST_CASE("every method of the engine can be asked for by its name") {
   CHECK(method_names() == std::vector<std::string>{"symplectic_euler", "explicit_euler", "midpoint", "heun",
                                                    "runge_kutta_4", "verlet", "blanes_moan",
                                                    "dormand_prince"});
-  for (const std::string& name : method_names()) CHECK(name_of(*parse({"--method", name}).method) == name);
+  for (const std::string& name : method_names()) CHECK(to_string(*parse({"--method", name}).method) == name);
   for (const std::string& name : accumulation_names()) {
     CHECK(to_string(*parse({"--accumulation", name}).accumulation) == name);
   }

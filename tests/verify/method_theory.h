@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <hooke/methods.h>
 #include <Eigen/Core>
-
-#include "methods.h"
 
 /// What theory says of each method, from the literature and not from the engine.
 
@@ -57,7 +56,7 @@ struct MethodTheory {
 
   /// A kick sees the velocity at its beginning, so splitting methods are of order 1 in damping.
   int order_with_damping() const { return splitting ? 1 : order; }
-  std::string name() const { return std::string(name_of(method)); }
+  std::string name() const { return std::string(to_string(method)); }
 };
 
 /// The methods with steps of one length.

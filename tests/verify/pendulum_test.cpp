@@ -85,9 +85,9 @@ TEST_CASE(
       CAPTURE(degrees);
       CHECK(std::abs(soft / exact - 1.0) < 3e-5);
       CHECK(std::abs(rigid / exact - 1.0) < 1e-8);
-      MESSAGE(name_of(method) << ", " << degrees << " degrees: " << soft / exact - 1.0
-                              << " of the period too long, " << rigid / exact - 1.0
-                              << " without the rod's stretch; the period is " << exact << " s");
+      MESSAGE(to_string(method) << ", " << degrees << " degrees: " << soft / exact - 1.0
+                                << " of the period too long, " << rigid / exact - 1.0
+                                << " without the rod's stretch; the period is " << exact << " s");
     }
   }
 }

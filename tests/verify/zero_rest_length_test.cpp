@@ -146,8 +146,8 @@ TEST_CASE("networks without rest lengths follow their modes' exact motion") {
       REQUIRE(simulation.step(5000).ok());
       const double error = relative_error(simulation, exact);
       CHECK(error < 1e-6);
-      MESSAGE(name_of(method) << ", " << scene.springs.size() << " springs: within " << error
-                              << " of the size");
+      MESSAGE(to_string(method) << ", " << scene.springs.size() << " springs: within " << error
+                                << " of the size");
     }
   }
 }

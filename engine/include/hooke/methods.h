@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 /// The integration methods, one struct of plain data each. Each says of itself:
@@ -13,58 +16,54 @@
 
 namespace hooke {
 
+/// Of methods that have nothing to choose: their list of fields is empty.
+struct WithoutParameters {
+  template <class Self, class Visit>
+  static void fields(Self&, Visit&&) {}
+};
+
 /// Velocity first, then position with the new velocity: v' = v + h a(x, v), x' = x + h v'. Conserves the
 /// energy of an oscillator on average. The engine's default.
-struct SymplecticEuler {
+struct SymplecticEuler : WithoutParameters {
   static constexpr int order = 1, force_evaluations = 1;
   static constexpr double oscillation_limit = 2.0;
 
   static constexpr std::string_view name = "symplectic_euler";
-  template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
 };
 
 /// The lecture's method: velocity and position both from time t: v' = v + h a(x, v), x' = x + h v. The energy
 /// of an undamped oscillator grows by 1 + (h w)^2 each step, so it needs damping: stable for h <= 2 zeta / w.
-struct ExplicitEuler {
+struct ExplicitEuler : WithoutParameters {
   static constexpr int order = 1, force_evaluations = 1;
   static constexpr double oscillation_limit = 0.0;
 
   static constexpr std::string_view name = "explicit_euler";
-  template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
 };
 
 /// Explicit midpoint rule: half a step of explicit Euler, then a whole step with the forces found there
 /// (Runge 1895).
-struct Midpoint {
+struct Midpoint : WithoutParameters {
   static constexpr int order = 2, force_evaluations = 2;
   static constexpr double oscillation_limit = 0.0;
 
   static constexpr std::string_view name = "midpoint";
-  template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
 };
 
 /// Heun's method: a step of explicit Euler, then a step with the mean of the forces at both ends (Heun 1900).
-struct Heun {
+struct Heun : WithoutParameters {
   static constexpr int order = 2, force_evaluations = 2;
   static constexpr double oscillation_limit = 0.0;
 
   static constexpr std::string_view name = "heun";
-  template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
 };
 
 /// The classical Runge-Kutta method (Kutta 1901). Damps oscillations slowly: their amplitude falls by
 /// (h w)^6 / 144 of itself each step.
-struct RungeKutta4 {
+struct RungeKutta4 : WithoutParameters {
   static constexpr int order = 4, force_evaluations = 4;
   static constexpr double oscillation_limit = 2.8284271247461903;
 
   static constexpr std::string_view name = "runge_kutta_4";
-  template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
 };
 
 /// Velocity Verlet: half a kick, a drift, half a kick (Verlet 1967; Swope et al. 1982): u = v + h/2 a(x, v),
@@ -73,25 +72,21 @@ struct RungeKutta4 {
 ///
 /// To read velocities, energy or momentum between steps costs one more evaluation of forces; to read
 /// positions does not.
-struct Verlet {
+struct Verlet : WithoutParameters {
   static constexpr int order = 2, force_evaluations = 1;
   static constexpr double oscillation_limit = 2.0;
 
   static constexpr std::string_view name = "verlet";
-  template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
 };
 
 /// Symplectic splitting of order 4 in six kicks and drifts, SRKN6b of Blanes and Moan 2002. At the cost of
 /// Verlet with h w = 0.2, oscillations have a 40th of its error in frequency, and with 0.1 a 200th; but it is
 /// stable only up to a quarter of Verlet's steps at equal cost. Velocities as for Verlet.
-struct BlanesMoan {
+struct BlanesMoan : WithoutParameters {
   static constexpr int order = 4, force_evaluations = 6;
   static constexpr double oscillation_limit = 3.1635;
 
   static constexpr std::string_view name = "blanes_moan";
-  template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
 };
 
 /// Dormand and Prince 1980, order 5 with an error estimate of order 4, and steps as long as the tolerance
@@ -126,5 +121,16 @@ struct DormandPrince {
 
 using Method = std::variant<SymplecticEuler, ExplicitEuler, Midpoint, Heun, RungeKutta4, Verlet, BlanesMoan,
                             DormandPrince>;
+
+/// One of each method, with its default parameters, in the order above.
+inline constexpr auto all_methods = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array{Method(std::in_place_index<I>)...};
+}
+(std::make_index_sequence<std::variant_size_v<Method>>{});
+
+/// The method's name, as scene files and reports say it.
+constexpr std::string_view to_string(const Method& method) {
+  return std::visit([](const auto& one) { return one.name; }, method);
+}
 
 }  // namespace hooke

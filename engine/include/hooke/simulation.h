@@ -114,6 +114,12 @@ class Simulation {
   void copy_velocities(float* first, std::size_t stride_bytes) const;
   void copy_velocities(double* first, std::size_t stride_bytes) const;
 
+  /// Changes the velocity of a particle by `impulse` [N s] over its mass, at once; one that is pinned stays
+  /// as it is. Costs an evaluation of forces where reading velocities does (see Verlet). Throws
+  /// std::out_of_range where there is no such particle and std::invalid_argument where the impulse, or the
+  /// velocity that it would give, is not finite; then nothing changes.
+  void apply_impulse(Index particle, const Vec3& impulse);
+
   Snapshot<Real> snapshot() const;
   /// Throws std::invalid_argument, and changes nothing, if the snapshot is of another number of particles or
   /// not finite.

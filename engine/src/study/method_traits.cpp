@@ -1,7 +1,5 @@
 #include "study/method_traits.h"
 
-#include <cstddef>
-#include <utility>
 #include <variant>
 
 namespace hooke::study {
@@ -11,11 +9,6 @@ template <class One>
 concept ChoosesSteps = requires(One one) {
   one.tolerance;
 };
-
-template <std::size_t... I>
-std::vector<Method> every_method(std::index_sequence<I...>) {
-  return {Method(std::in_place_index<I>)...};
-}
 
 }  // namespace
 
@@ -39,10 +32,6 @@ Method with_tolerance(Method method, double tolerance, double horizon) {
       },
       method);
   return method;
-}
-
-std::vector<Method> every_method() {
-  return every_method(std::make_index_sequence<std::variant_size_v<Method>>{});
 }
 
 }  // namespace hooke::study

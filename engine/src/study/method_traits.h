@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <string_view>
-#include <vector>
 
 #include <hooke/methods.h>
 
@@ -23,8 +22,5 @@ MethodTraits traits_of(const Method& method);
 /// The same method with another tolerance, if it has one. Over a time of `horizon` [s] its steps may be as
 /// short as double tells apart: a force that jumps needs such, and a study is not to end there.
 Method with_tolerance(Method method, double tolerance, double horizon);
-
-/// One of each method that there is, with its default parameters.
-std::vector<Method> every_method();
 
 }  // namespace hooke::study

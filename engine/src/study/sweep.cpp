@@ -32,7 +32,7 @@ class Sweeper {
       : scene_(scene), settings_(settings), reference_(reference), horizons_(horizons), clock_(clock) {
     const auto met_by_all = [](unsigned tick) { return tick % ticks_met_by_all == 0; };
     const bool coarse = std::all_of(horizons.begin(), horizons.end(), met_by_all);
-    for (const Method& method : every_method())
+    for (const Method& method : all_methods)
       ladders_.emplace_back(method, limits, settings, coarse ? fewest_steps : last_tick);
   }
 
