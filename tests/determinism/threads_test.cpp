@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "irregular_mesh.h"
+#include "sanitized.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -23,13 +24,7 @@ Scene damped_cloth() {
   return scene;
 }
 
-// Under the thread sanitizer, which takes some hundred times as long, what it looks for shows in the first
-// steps.
-#ifdef __SANITIZE_THREAD__
-constexpr std::uint64_t steps = 20;
-#else
-constexpr std::uint64_t steps = 1000;
-#endif
+constexpr std::uint64_t steps = sanitized ? 20 : 1000;
 
 template <class Real>
 std::uint64_t hash_after(const Scene& scene, Accumulation accumulation, unsigned threads) {

@@ -10,6 +10,7 @@
 #include "fine_executor.h"
 #include "forces.h"
 #include "irregular_mesh.h"
+#include "sanitized.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -17,11 +18,7 @@ using namespace hooke;
 namespace {
 
 // Additions are lost only now and then.
-#ifdef __SANITIZE_THREAD__
-constexpr int rounds = 3;
-#else
-constexpr int rounds = 50;
-#endif
+constexpr int rounds = test::sanitized ? 3 : 50;
 
 /// The same network with springs of no rest length and no damping, and whole positions and stiffnesses.
 Scene in_whole_numbers(Scene scene) {
