@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <hooke/scene.h>
@@ -30,6 +31,9 @@ struct Look {
   bool ground = true;     ///< the ground planes; where there is none, a floor under the scene
   bool shadow = true;
   double full_strain = 0.1;  ///< [1] at which the colour of a spring is full, > 0
+  /// [m] along `up`, of the floor; none: a little under the positions that are drawn. A movie gives one, or
+  /// its floor would sink with the scene.
+  std::optional<double> floor_height = {};
 };
 
 /// What shows a subject best: its surface where it has triangles, its springs where they would not be hidden
