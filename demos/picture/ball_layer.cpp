@@ -23,7 +23,7 @@ void BallLayer::draw(Seen seen, Thickness radius, std::size_t count, bool all_pa
                      const Colour& colour) const {
   if (count == 0) return;
   const Program& program = programs_.use(seen);
-  glUniform2f(program.uniform("radius"), radius.metres, radius.least_pixels);
+  glUniform3f(program.uniform("radius"), radius.metres, radius.least_pixels, radius.most_pixels);
   glUniform1i(program.uniform("all_particles"), all_particles);
   glUniform3fv(program.uniform("tone"), 1, colour.data());
   pin_texture_.bind(item_unit);

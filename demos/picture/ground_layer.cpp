@@ -7,17 +7,16 @@
 namespace hooke::picture {
 namespace {
 
-/// The picture's height at the target [m].
-double height_seen(const Camera& camera) {
-  return 2.0 * camera.distance * std::tan(0.5 * camera.field_of_view);
-}
-
 void set_uniform(const Program& program, const char* name, const Vec3& value) {
   const Eigen::Vector3f narrow = value.cast<float>();
   glUniform3fv(program.uniform(name), 1, narrow.data());
 }
 
 }  // namespace
+
+double height_seen(const Camera& camera) {
+  return 2.0 * camera.distance * std::tan(0.5 * camera.field_of_view);
+}
 
 double grid_spacing(const Camera& camera) {
   const double wanted = height_seen(camera) / 7.0;

@@ -22,6 +22,9 @@ class GroundLayer {
   VertexArray no_vertices_;
 };
 
+/// The picture's height at the target [m].
+double height_seen(const Camera& camera);
+
 /// Distance of the lines of the grid [m]: 1, 2 or 5 times a power of ten, some seven in the picture's height.
 double grid_spacing(const Camera& camera);
 

@@ -4,9 +4,11 @@ add_library(hooke_picture STATIC
   picture/ball_layer.cpp
   picture/bounds.cpp
   picture/camera.cpp
+  picture/framing.cpp
   picture/gl_objects.cpp
   picture/ground_layer.cpp
   picture/light_box.cpp
+  picture/light_direction.cpp
   picture/multisampled_target.cpp
   picture/offscreen_context.cpp
   picture/painter.cpp

@@ -8,9 +8,9 @@ namespace hooke::picture {
 /// What is drawn twice: for the eye, and into the shadow map.
 enum class Seen { by_eye, by_light };
 
-/// A size on the picture: so many metres, but at least so many pixels.
+/// A size on the picture: so many metres, within limits in pixels.
 struct Thickness {
-  float metres = 0.0f, least_pixels = 0.0f;
+  float metres, least_pixels, most_pixels;
 };
 
 /// Makes a program that finds its textures and its block of uniforms.

@@ -9,9 +9,11 @@
 #include "picture/ball_layer.h"
 #include "picture/bounds.h"
 #include "picture/frame_uniforms.h"
+#include "picture/framing.h"
 #include "picture/gl_objects.h"
 #include "picture/ground_layer.h"
 #include "picture/light_box.h"
+#include "picture/light_direction.h"
 #include "picture/picture_error.h"
 #include "picture/shadow_map.h"
 #include "picture/sizes.h"
@@ -47,6 +49,37 @@ bool encodes_srgb() {
   return encoding == GL_SRGB;
 }
 
+/// How wide a pixel is at a distance of 1 m [m].
+double pixel_slope(const Camera& camera, int height) {
+  return 2.0 * std::tan(0.5 * camera.field_of_view) / height;
+}
+
+/// What OpenGL starts with, but for the test of depths.
+void set_state() {
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+}
+
+/// Leaves nothing bound that others might change by mistake.
+void reset_state() {
+  glDisable(GL_DEPTH_TEST);
+  glBindVertexArray(0);
+  glUseProgram(0);
+  for (const int unit : {position_unit, item_unit, rest_length_unit}) {
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+  }
+  glActiveTexture(GL_TEXTURE0 + shadow_unit);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glActiveTexture(GL_TEXTURE0);
+}
+
 std::array<float, 4> four(const Vec3& vector, double last) {
   return {float(vector.x()), float(vector.y()), float(vector.z()), float(last)};
 }
@@ -57,22 +90,23 @@ struct Renderer::Parts {
   explicit Parts(Subject subject_)
       : subject(drawable(std::move(subject_))),
         sizes(sizes_of(subject)),
+        to_light(direction_to_light(subject.up)),
         position_texture(positions, GL_R32F),
         surface(subject.triangles, positions),
         springs(subject),
         balls(subject.pins) {}
 
-  Vec3 to_light() const { return -Camera{.up = subject.up, .azimuth = -0.55, .elevation = 0.95}.forward(); }
-
   FrameUniforms seen_by_light(const LightBox& box) const;
   FrameUniforms seen_by_eye(const Camera& camera, const LightBox& box, const Look& look, int width,
                             int height) const;
   void set_uniforms(const FrameUniforms& uniforms) const;
-  void draw_things(Seen seen, const Look& look, int height) const;
+  void draw_things(Seen seen, const Look& look, const Sizes& drawn) const;
+  void cast_shadows(const LightBox& box, const Look& look, const Sizes& drawn) const;
   void draw_grounds(const Camera& camera, const Look& look) const;
 
   Subject subject;
   Sizes sizes;
+  Vec3 to_light;
   Bounds bounds;
   Buffer positions, frame;
   BufferTexture position_texture;
@@ -87,8 +121,8 @@ struct Renderer::Parts {
 FrameUniforms Renderer::Parts::seen_by_light(const LightBox& box) const {
   return {.clip_from_world = box.clip_from_world,
           .shadow_from_world = box.shadow_from_world,
-          .eye = four(to_light(), 0.0),
-          .light = four(to_light(), 0.0),
+          .eye = four(to_light, 0.0),
+          .light = four(to_light, 0.0),
           .up = four(subject.up, box.texel)};
 }
 
@@ -102,8 +136,8 @@ FrameUniforms Renderer::Parts::seen_by_eye(const Camera& camera, const LightBox&
   return {.clip_from_world = camera.projection(aspect, 0.02 * camera.distance, 1.01 * far) * camera.view(),
           .shadow_from_world = box.shadow_from_world,
           .eye = four(camera.eye(), 1.0),
-          .light = four(to_light(), look.shadow ? box.texel : 0.0),
-          .up = four(subject.up, 2.0 * std::tan(0.5 * camera.field_of_view) / height),
+          .light = four(to_light, look.shadow ? box.texel : 0.0),
+          .up = four(subject.up, pixel_slope(camera, height)),
           .picture = {float(width), float(height), encodes_srgb() ? 0.0f : 1.0f, 0.0f}};
 }
 
@@ -113,20 +147,31 @@ void Renderer::Parts::set_uniforms(const FrameUniforms& uniforms) const {
   glBindBufferBase(GL_UNIFORM_BUFFER, frame_block, frame.name());
 }
 
-void Renderer::Parts::draw_things(Seen seen, const Look& look, int height) const {
+void Renderer::Parts::draw_things(Seen seen, const Look& look, const Sizes& drawn) const {
   if (look.surface) surface.draw(seen);
-  if (look.springs) springs.draw(seen, at_height(sizes.spring, height), look.full_strain);
-  if (look.particles) balls.draw_particles(seen, at_height(sizes.particle, height), subject.particles);
-  if (look.pins) balls.draw_pins(seen, at_height(sizes.pin, height));
+  if (look.springs) springs.draw(seen, drawn.spring, look.full_strain);
+  if (look.particles) balls.draw_particles(seen, drawn.particle, subject.particles);
+  if (look.pins) balls.draw_pins(seen, drawn.pin);
+}
+
+void Renderer::Parts::cast_shadows(const LightBox& box, const Look& look, const Sizes& drawn) const {
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  set_uniforms(seen_by_light(box));
+  shadow_map.begin();
+  // So that a surface does not shade itself: what is cast lies a little behind what casts it.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(2.0f, 4.0f);
+  draw_things(Seen::by_light, look, drawn);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(framebuffer));
 }
 
 void Renderer::Parts::draw_grounds(const Camera& camera, const Look& look) const {
   for (const GroundPlane& plane : subject.grounds)
     ground.draw(plane.normal.normalized(), plane.height, camera);
   if (!subject.grounds.empty()) return;
-  double lowest = bounds.corners()[0].dot(subject.up);
-  for (const Vec3& corner : bounds.corners()) lowest = std::min(lowest, corner.dot(subject.up));
-  ground.draw(subject.up, look.floor_height.value_or(lowest - 0.03 * bounds.diagonal()), camera);
+  ground.draw(subject.up, look.floor_height.value_or(floor_under(bounds, subject.up)), camera);
 }
 
 Renderer::Renderer(Subject subject) : parts_(std::make_unique<Parts>(std::move(subject))) {}
@@ -150,40 +195,22 @@ void Renderer::upload(std::span<const float> positions) {
 }
 
 void Renderer::draw(const Camera& camera, const Look& look, int width, int height) {
-  const Parts& p = *parts_;
-  GLint framebuffer = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-  const LightBox box = light_box(p.bounds, p.to_light(), ShadowMap::texels);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_BLEND);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  p.position_texture.bind(position_unit);
-  if (look.shadow) {
-    p.set_uniforms(p.seen_by_light(box));
-    p.shadow_map.begin();
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(2.0f, 4.0f);
-    p.draw_things(Seen::by_light, look, 540);
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(framebuffer));
-  }
-  const FrameUniforms uniforms = p.seen_by_eye(camera, box, look, width, height);
-  p.set_uniforms(uniforms);
-  p.shadow_map.bind(shadow_unit);
+  const Sizes sizes = at_height(parts_->sizes, height);
+  const LightBox box = light_box(parts_->bounds, parts_->to_light, ShadowMap::texels);
+  set_state();
+  parts_->position_texture.bind(position_unit);
+  if (look.shadow) parts_->cast_shadows(box, look, in_shadow(sizes, camera.distance * pixel_slope(camera, height)));
+  const FrameUniforms uniforms = parts_->seen_by_eye(camera, box, look, width, height);
+  parts_->set_uniforms(uniforms);
+  parts_->shadow_map.bind(shadow_unit);
   glViewport(0, 0, width, height);
   if (uniforms.picture[2] == 0.0f) glEnable(GL_FRAMEBUFFER_SRGB);
   glClear(GL_DEPTH_BUFFER_BIT);
-  p.background.draw();
-  if (look.ground) p.draw_grounds(camera, look);
-  p.draw_things(Seen::by_eye, look, height);
+  parts_->background.draw();
+  if (look.ground) parts_->draw_grounds(camera, look);
+  parts_->draw_things(Seen::by_eye, look, sizes);
   glDisable(GL_FRAMEBUFFER_SRGB);
-  glDisable(GL_DEPTH_TEST);
-  glBindVertexArray(0);
-  glUseProgram(0);
-  glActiveTexture(GL_TEXTURE0);
+  reset_state();
 }
 
 }  // namespace hooke::picture

@@ -36,19 +36,25 @@ bool is_finite(vec3 v) { return !(any(isnan(v)) || any(isinf(v))); }
 constexpr const char* lighting = R"(
 uniform sampler2DShadow shadow_map;
 
-// The share of the light's disc that is seen from a place [0, 1].
-float seen_light(vec3 place, vec3 normal) {
+// The share of the light's disc that is seen from a place [0, 1]: an average over taps x taps places of the map, so
+// many texels apart, which weigh less the further away they are.
+float seen_light(vec3 place, vec3 normal, int taps, float apart) {
   if (light.w <= 0.0) return 1.0;
-  vec3 at = (shadow_from_world * vec4(place + 2.5 * light.w * normal, 1.0)).xyz;
-  if (any(lessThan(at.xy, vec2(0.005))) || any(greaterThan(at.xy, vec2(0.995)))) return 1.0;
+  float reach = 0.5 * float(taps) * apart;  // [texels]
+  vec3 at = (shadow_from_world * vec4(place + 0.7 * reach * light.w * normal, 1.0)).xyz;
   vec2 texel = 1.0 / vec2(textureSize(shadow_map, 0));
-  float sum = 0.0;
-  for (int y = 0; y < 6; ++y) {
-    for (int x = 0; x < 6; ++x) {
-      sum += texture(shadow_map, vec3(at.xy + (vec2(x, y) - 2.5) * texel, at.z));
+  vec2 edge = (reach + 1.0) * texel;
+  if (any(lessThan(at.xy, edge)) || any(greaterThan(at.xy, 1.0 - edge))) return 1.0;
+  float seen = 0.0, all = 0.0;
+  for (int y = 0; y < taps; ++y) {
+    for (int x = 0; x < taps; ++x) {
+      vec2 offset = apart * (vec2(x, y) - 0.5 * float(taps - 1));
+      vec2 share = 1.0 - abs(offset) / (reach + 0.5);
+      seen += share.x * share.y * texture(shadow_map, vec3(at.xy + offset * texel, at.z));
+      all += share.x * share.y;
     }
   }
-  return sum / 36.0;
+  return seen / all;
 }
 
 // Light from all of the sky, and from the ground.
@@ -124,7 +130,7 @@ void main() {
   vec3 tone = vec3(0.83, 0.845, 0.855);
   float line = lines(on_plane + grid.xy, grid.z);
   tone *= 1.0 - 0.13 * line;
-  tone *= mix(vec3(0.50, 0.52, 0.56), vec3(1.0), seen_light(place, normal));
+  tone *= mix(vec3(0.50, 0.52, 0.56), vec3(1.0), seen_light(place, normal, 8, 1.75));
   colour = shown(mix(background(), tone, near), 1.0);
 }
 )";
@@ -147,8 +153,8 @@ constexpr const char* surface_fragment = R"(
 in vec3 place;
 in vec3 smooth_normal;
 out vec4 colour;
-const vec3 front = vec3(0.030, 0.255, 0.300);
-const vec3 back = vec3(0.560, 0.300, 0.105);
+const vec3 front = vec3(0.045, 0.205, 0.250);
+const vec3 back = vec3(0.430, 0.330, 0.235);
 
 void main() {
   vec3 view = normalize(to_eye(place));
@@ -156,11 +162,13 @@ void main() {
   vec3 cloth = gl_FrontFacing ? front : back;
   float slope = dot(normal, light.xyz);
   // Shadows fall on the side that the light sees, whichever side we see.
-  float seen = seen_light(place, slope < 0.0 ? -normal : normal);
+  float seen = seen_light(place, slope < 0.0 ? -normal : normal, 4, 1.6);
   float direct = max(slope, 0.0) * seen;
   float through = max(-slope, 0.0) * seen;
   float facing = clamp(dot(normal, view), 0.0, 1.0);
-  vec3 light_sum = 0.95 * ambient(normal) + 1.9 * key * direct + 0.35 * key * through + 0.18 * facing;
+  // A weak second light, from beside the eye, shows the shape of what the first one does not reach.
+  float fill = max(dot(normal, normalize(view + 0.7 * cross(up.xyz, view) + 0.3 * up.xyz)), 0.0);
+  vec3 light_sum = 0.72 * ambient(normal) + 1.40 * key * direct + 0.30 * key * through + 0.42 * fill * fill;
   float highlight = pow(max(dot(normal, normalize(view + light.xyz)), 0.0), 28.0) * direct;
   float rim = pow(1.0 - facing, 4.0);
   vec3 sheen = vec3(0.10) * highlight + 0.10 * rim * ambient(normal);
@@ -177,7 +185,7 @@ constexpr const char* spring_vertex = R"(
 uniform usamplerBuffer items;
 uniform samplerBuffer rest_lengths;
 uniform float full_strain;
-uniform vec2 radius;  // [m]; the least [pixels]
+uniform vec3 radius;  // [m]; the least and the most [pixels]
 out vec3 place;
 out vec3 outwards;    // unit vectors: across the line, and towards the eye
 out vec3 towards;
@@ -203,7 +211,7 @@ void main() {
   outwards = cross(axis / length_now, towards);
   float seen_width = length(outwards);
   outwards = seen_width > 1e-6 ? outwards / seen_width : vec3(0);
-  float half_width = max(radius.x, radius.y * pixel_at(place));
+  float half_width = clamp(radius.x, radius.y * pixel_at(place), radius.z * pixel_at(place));
   // A little too long, so that there are no gaps where springs meet; and in front of a surface that they lie in.
   place += half_width * (corner.y * outwards + 0.5 * corner.x * axis / length_now + towards);
   gl_Position = clip_from_world * vec4(place, 1.0);
@@ -232,7 +240,7 @@ void main() {
 constexpr const char* ball_vertex = R"(
 uniform usamplerBuffer items;
 uniform bool all_particles;
-uniform vec2 radius;   // [m]; the least [pixels]
+uniform vec3 radius;  // [m]; the least and the most [pixels]
 out vec2 on_disc;
 flat out vec3 centre;
 flat out vec3 towards;
@@ -250,7 +258,7 @@ void main() {
   towards = normalize(to_eye(centre));
   vec3 aside = abs(dot(towards, up.xyz)) < 0.99 ? up.xyz : vec3(up.y, up.z, up.x);
   rightwards = normalize(cross(aside, towards));
-  size = max(radius.x, radius.y * pixel_at(centre));
+  size = clamp(radius.x, radius.y * pixel_at(centre), radius.z * pixel_at(centre));
   vec3 place = centre + size * (on_disc.x * rightwards + on_disc.y * cross(towards, rightwards) + towards);
   gl_Position = clip_from_world * vec4(place, 1.0);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace hooke::picture {
@@ -16,24 +17,43 @@ float typical_length(std::vector<float> lengths) {
   return *middle;
 }
 
-/// The fewer there are, the larger they may be: from `many` of them on they have the least size.
+/// The fewer there are, the larger they may be: `largest` up to a hundred, `least` from `many` of them on.
 float between(float largest, float least, std::size_t count, double many) {
-  const double share = std::log(double(std::max<std::size_t>(count, 1))) / std::log(many);
+  constexpr double few = 100.0;
+  const double share = std::log(std::max(double(count), few) / few) / std::log(many / few);
   return largest + (least - largest) * float(std::min(share, 1.0));
 }
 
 }  // namespace
 
 Sizes sizes_of(const Subject& subject) {
+  const bool bare = subject.springs.empty();
   const float length = typical_length(subject.rest_lengths);
-  return {.spring = {0.035f * length, between(2.2f, 0.5f, subject.springs.size(), 1e4)},
-          .particle = {0.08f * length, between(9.0f, 1.0f, subject.particles, 1e5)},
-          .pin = {0.10f * length, between(8.0f, 1.5f, subject.pins.size(), 1e4)}};
+  const float far_apart = std::numeric_limits<float>::max();
+  const auto thick = [&](float share, float least, float most, std::size_t count, double many) {
+    return Thickness{bare ? far_apart : share * length, between(least, 0.6f, count, many),
+                     between(most, 1.0f, count, many)};
+  };
+  return {.spring = thick(0.06f, 2.4f, 4.0f, subject.springs.size(), 1e4),
+          .particle = thick(0.24f, 3.8f, 8.0f, subject.particles, 1e6),
+          .pin = thick(0.40f, 6.5f, 10.0f, subject.pins.size(), 1e4)};
 }
 
-Thickness at_height(Thickness thickness, int height) {
-  thickness.least_pixels *= float(height) / 540.0f;
-  return thickness;
+Sizes at_height(Sizes sizes, int height) {
+  for (Thickness* thickness : {&sizes.spring, &sizes.particle, &sizes.pin}) {
+    thickness->least_pixels *= float(height) / 540.0f;
+    thickness->most_pixels *= float(height) / 540.0f;
+  }
+  return sizes;
+}
+
+Sizes in_shadow(Sizes sizes, double metres_in_pixel) {
+  const auto pixel = float(metres_in_pixel);
+  for (Thickness* thickness : {&sizes.spring, &sizes.particle, &sizes.pin}) {
+    *thickness = {std::clamp(thickness->metres, thickness->least_pixels * pixel, thickness->most_pixels * pixel),
+                  0.8f, std::numeric_limits<float>::max()};
+  }
+  return sizes;
 }
 
 }  // namespace hooke::picture

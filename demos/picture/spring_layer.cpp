@@ -16,7 +16,7 @@ SpringLayer::SpringLayer(const Subject& subject)
 void SpringLayer::draw(Seen seen, Thickness radius, double full_strain) const {
   if (count_ == 0) return;
   const Program& program = programs_.use(seen);
-  glUniform2f(program.uniform("radius"), radius.metres, radius.least_pixels);
+  glUniform3f(program.uniform("radius"), radius.metres, radius.least_pixels, radius.most_pixels);
   glUniform1f(program.uniform("full_strain"), float(full_strain));
   end_texture_.bind(item_unit);
   rest_length_texture_.bind(rest_length_unit);
