@@ -37,7 +37,7 @@ constexpr const char* lighting = R"(
 uniform sampler2DShadow shadow_map;
 
 // The share of the light's disc that is seen from a place [0, 1]: an average over taps x taps places of the map, so
-// many texels apart, which weigh less the further away they are.
+// many texels apart, which weigh less the further away they are. `taps` is even.
 float seen_light(vec3 place, vec3 normal, int taps, float apart) {
   if (light.w <= 0.0) return 1.0;
   float reach = 0.5 * float(taps) * apart;  // [texels]
@@ -45,16 +45,16 @@ float seen_light(vec3 place, vec3 normal, int taps, float apart) {
   vec2 texel = 1.0 / vec2(textureSize(shadow_map, 0));
   vec2 edge = (reach + 1.0) * texel;
   if (any(lessThan(at.xy, edge)) || any(greaterThan(at.xy, 1.0 - edge))) return 1.0;
-  float seen = 0.0, all = 0.0;
+  float seen = 0.0;
   for (int y = 0; y < taps; ++y) {
     for (int x = 0; x < taps; ++x) {
       vec2 offset = apart * (vec2(x, y) - 0.5 * float(taps - 1));
       vec2 share = 1.0 - abs(offset) / (reach + 0.5);
       seen += share.x * share.y * texture(shadow_map, vec3(at.xy + offset * texel, at.z));
-      all += share.x * share.y;
     }
   }
-  return seen / all;
+  float all = float(taps) * (1.0 - 0.25 * apart * float(taps) / (reach + 0.5));  // of the shares in a row
+  return seen / (all * all);
 }
 
 // Light from all of the sky, and from the ground.
@@ -154,7 +154,7 @@ in vec3 place;
 in vec3 smooth_normal;
 out vec4 colour;
 const vec3 front = vec3(0.045, 0.205, 0.250);
-const vec3 back = vec3(0.430, 0.330, 0.235);
+const vec3 back = vec3(0.540, 0.410, 0.280);
 
 void main() {
   vec3 view = normalize(to_eye(place));
@@ -168,7 +168,7 @@ void main() {
   float facing = clamp(dot(normal, view), 0.0, 1.0);
   // A weak second light, from beside the eye, shows the shape of what the first one does not reach.
   float fill = max(dot(normal, normalize(view + 0.7 * cross(up.xyz, view) + 0.3 * up.xyz)), 0.0);
-  vec3 light_sum = 0.72 * ambient(normal) + 1.40 * key * direct + 0.30 * key * through + 0.42 * fill * fill;
+  vec3 light_sum = 0.85 * ambient(normal) + 1.25 * key * direct + 0.45 * key * through + 0.45 * fill * fill;
   float highlight = pow(max(dot(normal, normalize(view + light.xyz)), 0.0), 28.0) * direct;
   float rim = pow(1.0 - facing, 4.0);
   vec3 sheen = vec3(0.10) * highlight + 0.10 * rim * ambient(normal);
