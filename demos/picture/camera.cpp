@@ -51,11 +51,11 @@ class Fit {
   bool empty() const { return near_ > far_; }
 
   /// `camera` moved to where all points are seen. What lies in one point is seen from where the camera was
-  /// told to be; what lies along one ray, from a third of its length before it.
+  /// told to be; what lies along one ray, from a tenth of its length before it.
   Camera view(Camera camera) const {
     const double size = std::max({far_ - near_, most_[0] - least_[0], most_[1] - least_[1]});
     const double middle = 0.5 * (near_ + far_);
-    double eye = near_ - (far_ - near_) / 3.0;
+    double eye = near_ - 0.1 * (far_ - near_);
     for (int k = 0; k < 2; ++k) eye = std::min(eye, -(upper_[k] + lower_[k]) / (2.0 * slopes_[k]));
     const bool one_point =
         size <= 1e-6 * std::max({1e-6, std::abs(most_[0]), std::abs(most_[1]), std::abs(middle)});

@@ -16,7 +16,8 @@ struct Plane {
 
 std::vector<Plane> planes_of(const Subject& subject, const Look& look, const Bounds& bounds) {
   std::vector<Plane> planes;
-  for (const GroundPlane& ground : subject.grounds) planes.push_back({ground.normal.normalized(), ground.height});
+  for (const GroundPlane& ground : subject.grounds)
+    planes.push_back({ground.normal.normalized(), ground.height});
   if (planes.empty()) {
     planes.push_back({subject.up, look.floor_height.value_or(floor_under(bounds, subject.up))});
   }
@@ -43,7 +44,7 @@ std::vector<float> with_shadows(std::span<const float> points, const Subject& su
     for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
       const Vec3 point(points[i], points[i + 1], points[i + 2]);
       const double way = (plane.normal.dot(point) - plane.height) / approach;
-      if (!(way > 0.0 && way <= bounds.diagonal())) continue;
+      if (!(way > 0.0 && way <= 1.5 * bounds.diagonal())) continue;
       const Eigen::Vector3f shadow = (point - way * to_light).cast<float>();
       all.insert(all.end(), shadow.data(), shadow.data() + 3);
     }

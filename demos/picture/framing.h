@@ -16,8 +16,8 @@ namespace hooke::picture {
 /// Where a floor lies that is a little under a scene: [m] along `up`.
 double floor_under(const Bounds& bounds, const Vec3& up);
 
-/// Some points (x, y, z of each [m]) and the shadows that they cast on the ground, but for those that fall far
-/// from the scene.
+/// Some points (x, y, z of each [m]) and the shadows that they cast on the ground, but for those that fall
+/// far from the scene.
 std::vector<float> with_shadows(std::span<const float> points, const Subject& subject, const Look& look);
 
 }  // namespace hooke::picture

@@ -1,13 +1,15 @@
 #include "picture/light_box.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
 namespace hooke::picture {
 
-LightBox light_box(const Bounds& bounds, const Eigen::Vector3d& to_light, int texels) {
-  const double needed = 0.55 * std::max(bounds.diagonal(), 1e-6 * (1e-6 + bounds.centre().norm()));
+LightBox light_box(const Bounds& bounds, double margin, const Eigen::Vector3d& to_light, int texels) {
+  const double least = 1e-6 * (1e-6 + bounds.centre().norm());  // below this, floats cannot tell places apart
+  const double needed = 1.1 * std::max(0.5 * bounds.diagonal() + margin, least);
   const double radius = std::pow(1.25, std::ceil(std::log(needed) / std::log(1.25)));
   const double texel = 2.0 * radius / texels;
   Eigen::Matrix3d axes;

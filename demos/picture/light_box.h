@@ -13,8 +13,8 @@ struct LightBox {
   double texel;                       ///< [m] wide
 };
 
-/// For a shadow map of `texels` x `texels`. The box grows and moves in steps, so that from frame to frame the
-/// edges of shadows do not flicker.
-LightBox light_box(const Bounds& bounds, const Eigen::Vector3d& to_light, int texels);
+/// Around bounds and `margin` [m] more, for a shadow map of `texels` x `texels`. The box grows and moves in
+/// steps, so that from frame to frame the edges of shadows do not flicker.
+LightBox light_box(const Bounds& bounds, double margin, const Eigen::Vector3d& to_light, int texels);
 
 }  // namespace hooke::picture

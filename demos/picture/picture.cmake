@@ -20,6 +20,7 @@ add_library(hooke_picture STATIC
   picture/sizes.cpp
   picture/spring_layer.cpp
   picture/subject.cpp
+  picture/subject_check.cpp
   picture/surface_layer.cpp
   picture/surface_normals.cpp)
 target_include_directories(hooke_picture PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})

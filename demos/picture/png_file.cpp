@@ -11,6 +11,10 @@
 namespace hooke::picture {
 
 void write_png(const std::filesystem::path& file, const Image& image) {
+  if (image.width < 1 || image.height < 1 ||
+      image.rgb.size() != 3 * std::size_t(image.width) * std::size_t(image.height)) {
+    throw WriteError(file, "the picture has no pixels, or not 3 bytes for each: paint one first");
+  }
   png_image header = {};
   header.version = PNG_IMAGE_VERSION;
   header.width = png_uint_32(image.width);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "picture/background_layer.h"
 #include "picture/ball_layer.h"
@@ -18,6 +20,7 @@
 #include "picture/shadow_map.h"
 #include "picture/sizes.h"
 #include "picture/spring_layer.h"
+#include "picture/subject_check.h"
 #include "picture/surface_layer.h"
 
 namespace hooke::picture {
@@ -25,6 +28,7 @@ namespace {
 
 /// The subject, where this context can draw it.
 Subject drawable(Subject subject) {
+  require_consistent(subject);
   if (const int version = epoxy_gl_version(); version < 33) {
     throw PictureError("pictures need OpenGL 3.3, and this driver has " + std::to_string(version / 10) + "." +
                        std::to_string(version % 10) + ": update it, or install Mesa's (libgl1-mesa-dri)");
@@ -174,7 +178,10 @@ void Renderer::Parts::draw_grounds(const Camera& camera, const Look& look) const
   ground.draw(subject.up, look.floor_height.value_or(floor_under(bounds, subject.up)), camera);
 }
 
-Renderer::Renderer(Subject subject) : parts_(std::make_unique<Parts>(std::move(subject))) {}
+Renderer::Renderer(Subject subject) : parts_(std::make_unique<Parts>(std::move(subject))) {
+  // Until there are positions, nothing is where it can be seen.
+  upload(std::vector<float>(3 * parts_->subject.particles, std::numeric_limits<float>::quiet_NaN()));
+}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -196,10 +203,12 @@ void Renderer::upload(std::span<const float> positions) {
 
 void Renderer::draw(const Camera& camera, const Look& look, int width, int height) {
   const Sizes sizes = at_height(parts_->sizes, height);
-  const LightBox box = light_box(parts_->bounds, parts_->to_light, ShadowMap::texels);
+  const Sizes shadow_sizes = in_shadow(sizes, camera.distance * pixel_slope(camera, height));
+  const double thickest = std::max(shadow_sizes.particle.metres, shadow_sizes.pin.metres);
+  const LightBox box = light_box(parts_->bounds, thickest, parts_->to_light, ShadowMap::texels);
   set_state();
   parts_->position_texture.bind(position_unit);
-  if (look.shadow) parts_->cast_shadows(box, look, in_shadow(sizes, camera.distance * pixel_slope(camera, height)));
+  if (look.shadow) parts_->cast_shadows(box, look, shadow_sizes);
   const FrameUniforms uniforms = parts_->seen_by_eye(camera, box, look, width, height);
   parts_->set_uniforms(uniforms);
   parts_->shadow_map.bind(shadow_unit);

@@ -50,8 +50,9 @@ Sizes at_height(Sizes sizes, int height) {
 Sizes in_shadow(Sizes sizes, double metres_in_pixel) {
   const auto pixel = float(metres_in_pixel);
   for (Thickness* thickness : {&sizes.spring, &sizes.particle, &sizes.pin}) {
-    *thickness = {std::clamp(thickness->metres, thickness->least_pixels * pixel, thickness->most_pixels * pixel),
-                  0.8f, std::numeric_limits<float>::max()};
+    *thickness = {
+        std::clamp(thickness->metres, thickness->least_pixels * pixel, thickness->most_pixels * pixel), 0.8f,
+        std::numeric_limits<float>::max()};
   }
   return sizes;
 }

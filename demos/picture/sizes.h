@@ -15,8 +15,8 @@ Sizes sizes_of(const Subject& subject);
 /// The same on a picture of another height [pixels]: sizes in pixels are meant for one of 540.
 Sizes at_height(Sizes sizes, int height);
 
-/// In the shadow map: as thick as at the camera's target, where a pixel is so many metres wide; but so that each
-/// line covers texels of the map.
+/// In the shadow map: as thick as at the camera's target, where a pixel is so many metres wide; but so that
+/// each line covers texels of the map.
 Sizes in_shadow(Sizes sizes, double metres_in_pixel);
 
 }  // namespace hooke::picture

@@ -12,11 +12,11 @@ namespace hooke::picture {
 /// What there is to draw of a scene: all of it that stays the same while it moves. Numbers are the user's.
 struct Subject {
   std::size_t particles = 0;
-  std::vector<Triangle> triangles;
-  std::vector<std::array<Index, 2>> springs;
-  std::vector<float> rest_lengths;  ///< [m] of each spring
-  std::vector<Index> pins;
-  std::vector<GroundPlane> grounds;
+  std::vector<Triangle> triangles = {};
+  std::vector<std::array<Index, 2>> springs = {};
+  std::vector<float> rest_lengths = {};  ///< [m] of each spring
+  std::vector<Index> pins = {};
+  std::vector<GroundPlane> grounds = {};
   Vec3 up{0.0, 1.0, 0.0};  ///< against gravity where there is one, else y; unit length
 };
 
