@@ -7,7 +7,7 @@ namespace hooke::picture {
 /// How far the light sees, as a texture of depths.
 class ShadowMap {
  public:
-  static constexpr int texels = 1024;
+  static constexpr int texels = 512;
 
   ShadowMap();
 

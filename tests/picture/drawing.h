@@ -60,8 +60,24 @@ inline Mask difference(const picture::Image& a, const picture::Image& b, int lea
   return mask;
 }
 
-/// The pixels whose middle a triangle covers as the camera sees it, found without OpenGL. All corners must be
-/// before the eye.
+/// Where a pixel of four samples usually has them.
+constexpr double samples[4][2] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+
+/// Whether a triangle of the picture has one of a pixel's samples within it.
+inline bool touches(const Vec3& a, const Vec3& b, const Vec3& c, int column, int row) {
+  const auto side = [](const Vec3& from, const Vec3& to, double x, double y) {
+    return (to.x() - from.x()) * (y - from.y()) - (to.y() - from.y()) * (x - from.x());
+  };
+  for (const auto& [right, down] : samples) {
+    const double x = column + right, y = row + down;
+    const double ab = side(a, b, x, y), bc = side(b, c, x, y), ca = side(c, a, x, y);
+    if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) return true;
+  }
+  return false;
+}
+
+/// The pixels of which triangles cover a sample as the camera sees them, found without OpenGL. All corners
+/// must be before the eye.
 inline Mask covered(const Surface& surface, const picture::Camera& camera) {
   std::vector<Vec3> seen;
   for (std::size_t k = 0; k < surface.corners(); ++k) {
@@ -70,22 +86,12 @@ inline Mask covered(const Surface& surface, const picture::Camera& camera) {
     seen.emplace_back((place.x() + 1.0) * width / 2.0, (1.0 - place.y()) * height / 2.0, 0.0);
   }
   Mask mask(std::size_t(width) * height);
-  const auto side = [](const Vec3& a, const Vec3& b, double x, double y) {
-    return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
-  };
   for (const Triangle& triangle : surface.triangles) {
     const Vec3 &a = seen[triangle[0]], &b = seen[triangle[1]], &c = seen[triangle[2]];
-    const int left = std::max(0, int(std::min({a.x(), b.x(), c.x()}))),
-              top = std::max(0, int(std::min({a.y(), b.y(), c.y()})));
-    const int right = std::min(width - 1, int(std::max({a.x(), b.x(), c.x()})));
-    const int bottom = std::min(height - 1, int(std::max({a.y(), b.y(), c.y()})));
-    for (int row = top; row <= bottom; ++row) {
-      for (int column = left; column <= right; ++column) {
-        const double x = column + 0.5, y = row + 0.5;
-        const double ab = side(a, b, x, y), bc = side(b, c, x, y), ca = side(c, a, x, y);
-        if ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0)) {
-          mask[std::size_t(row) * width + std::size_t(column)] = 1;
-        }
+    const Vec3 least = a.cwiseMin(b).cwiseMin(c).cwiseMax(0.0), most = a.cwiseMax(b).cwiseMax(c);
+    for (int row = int(least.y()); row <= std::min(height - 1, int(most.y())); ++row) {
+      for (int column = int(least.x()); column <= std::min(width - 1, int(most.x())); ++column) {
+        if (touches(a, b, c, column, row)) mask[std::size_t(row) * width + std::size_t(column)] = 1;
       }
     }
   }

@@ -49,20 +49,21 @@ GLint value(GLenum name) {
   return result;
 }
 
-const Surface round = ball(32, 16);
+const Surface sphere = ball(32, 16);
 const Camera camera{.distance = 5.0};
+const Look look{.particles = false};
 
 }  // namespace
 
 TEST_CASE("a renderer draws into the framebuffer that is bound what a painter paints") {
   if (!can_draw()) return;
-  const Image painted = Painter(subject_of(round), width, height).paint(round.positions, camera, {});
+  const Image painted = Painter(subject_of(sphere), width, height).paint(sphere.positions, camera, look);
   const OffscreenContext context;
   const OffscreenContext::Current current(context);
   const Plain plain;
-  Renderer renderer(subject_of(round));
-  renderer.upload(round.positions);
-  renderer.draw(camera, {}, width, height);
+  Renderer renderer(subject_of(sphere));
+  renderer.upload(sphere.positions);
+  renderer.draw(camera, look, width, height);
   CHECK(value(GL_DRAW_FRAMEBUFFER_BINDING) == GLint(plain.framebuffer.name()));
   // The same colours, though the shaders themselves encode them here; edges have one sample only.
   CHECK(count(difference(plain.read(), painted, 2)) < 0.02 * width * height);
@@ -74,8 +75,8 @@ TEST_CASE("a renderer leaves a state that others can draw in, and does not mind 
   const OffscreenContext context;
   const OffscreenContext::Current current(context);
   const Plain plain;
-  Renderer renderer(subject_of(round));
-  renderer.upload(round.positions);
+  Renderer renderer(subject_of(sphere));
+  renderer.upload(sphere.positions);
   renderer.draw(camera, {}, width, height);
   const Image first = plain.read();
   // As Dear ImGui leaves it, and worse.
@@ -104,10 +105,10 @@ TEST_CASE("a renderer that has no positions yet draws the ground") {
   const OffscreenContext context;
   const OffscreenContext::Current current(context);
   const Plain plain;
-  Renderer renderer(subject_of(round));
+  Renderer renderer(subject_of(sphere));
   renderer.draw(camera, {}, width, height);
   CHECK(glGetError() == GL_NO_ERROR);
-  CHECK(renderer.subject().particles == round.corners());
+  CHECK(renderer.subject().particles == sphere.corners());
 }
 
 TEST_CASE("a context is put back as it was") {
@@ -116,6 +117,6 @@ TEST_CASE("a context is put back as it was") {
   const OffscreenContext::Current current(outer);
   const Framebuffer mine;
   glBindFramebuffer(GL_FRAMEBUFFER, mine.name());
-  Painter(subject_of(round), width, height).paint(round.positions, camera, {});
+  Painter(subject_of(sphere), width, height).paint(sphere.positions, camera, {});
   CHECK(value(GL_DRAW_FRAMEBUFFER_BINDING) == GLint(mine.name()));
 }

@@ -2,6 +2,7 @@
 // drawn again.
 
 #include <hooke/hooke.h>
+#include <Eigen/Geometry>
 
 #include "drawing.h"
 #include "scenes.h"
