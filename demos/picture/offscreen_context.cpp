@@ -14,13 +14,22 @@ namespace hooke::picture {
 namespace {
 
 constexpr const char* remedy =
-    "install EGL and a driver (Debian: libegl1 and libgl1-mesa-dri, which can draw without a graphics card)";
+    "install OpenGL, EGL and a driver (Debian: libgl1, libegl1 and libgl1-mesa-dri, which can draw without a "
+    "graphics card)";
 
-/// libepoxy ends the program where it does not find EGL, so this is asked first.
-void require_library() {
-  void* const library = dlopen("libEGL.so.1", RTLD_LAZY | RTLD_LOCAL);
-  if (!library) throw PictureError(std::string("there is no EGL to draw pictures with: ") + remedy);
-  dlclose(library);
+bool has_library(const char* name) {
+  void* const library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+  if (library) dlclose(library);
+  return library != nullptr;
+}
+
+/// libepoxy ends the program where it does not find these, so they are looked for first.
+void require_libraries() {
+  if (!has_library("libEGL.so.1"))
+    throw PictureError(std::string("there is no EGL to draw pictures with: ") + remedy);
+  if (!has_library("libOpenGL.so.0") && !has_library("libGL.so.1")) {
+    throw PictureError(std::string("there is no OpenGL to draw pictures with: ") + remedy);
+  }
 }
 
 bool offers(EGLDisplay display, const char* extension) {
@@ -91,7 +100,7 @@ struct OffscreenContext::Parts {
 };
 
 OffscreenContext::OffscreenContext() {
-  require_library();
+  require_libraries();
   for (const EGLDisplay display : displays()) {
     if (const EGLContext context = context_of(display); context != EGL_NO_CONTEXT) {
       parts_ = std::make_unique<Parts>(display, context);

@@ -2,11 +2,13 @@
 add_library(hooke_picture STATIC
   picture/background_layer.cpp
   picture/ball_layer.cpp
+  picture/ball_shaders.cpp
   picture/bounds.cpp
   picture/camera.cpp
   picture/framing.cpp
   picture/gl_objects.cpp
   picture/ground_layer.cpp
+  picture/ground_shaders.cpp
   picture/light_box.cpp
   picture/light_direction.cpp
   picture/multisampled_target.cpp
@@ -15,14 +17,15 @@ add_library(hooke_picture STATIC
   picture/png_file.cpp
   picture/program_pair.cpp
   picture/renderer.cpp
-  picture/shaders.cpp
   picture/shadow_map.cpp
   picture/sizes.cpp
   picture/spring_layer.cpp
+  picture/spring_shaders.cpp
   picture/subject.cpp
   picture/subject_check.cpp
   picture/surface_layer.cpp
-  picture/surface_normals.cpp)
+  picture/surface_normals.cpp
+  picture/surface_shaders.cpp)
 target_include_directories(hooke_picture PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(hooke_picture PUBLIC hooke::hooke hooke_writers PRIVATE PkgConfig::epoxy PNG::PNG ${CMAKE_DL_LIBS})
 hooke_warnings(hooke_picture)
