@@ -25,7 +25,7 @@ constexpr const char* surface_fragment = R"(
 in vec3 place;
 in vec3 smooth_normal;
 out vec4 colour;
-const vec3 front = vec3(0.050, 0.235, 0.290);
+const vec3 front = vec3(0.038, 0.215, 0.280);
 const vec3 back = vec3(0.480, 0.365, 0.250);
 
 void main() {
@@ -40,10 +40,10 @@ void main() {
   float facing = clamp(dot(normal, view), 0.0, 1.0);
   // A weak second light, from beside the eye, shows the shape of what the first one does not reach.
   float fill = max(dot(normal, normalize(view + 0.7 * cross(up.xyz, view) + 0.3 * up.xyz)), 0.0);
-  vec3 light_sum = 0.90 * ambient(normal) + 1.20 * key * direct + 0.45 * key * through + 0.75 * fill * fill;
+  vec3 light_sum = 0.80 * ambient(normal) + 1.30 * key * direct + 0.45 * key * through + 0.70 * fill * fill * (1.0 - direct);
   float highlight = pow(max(dot(normal, normalize(view + light.xyz)), 0.0), 28.0) * direct;
   float rim = pow(1.0 - facing, 4.0);
-  vec3 sheen = vec3(0.10) * highlight + 0.10 * rim * ambient(normal);
+  vec3 sheen = vec3(0.08) * highlight + 0.07 * rim * ambient(normal);
   colour = shown(cloth * light_sum + sheen, 1.0);
 }
 )";
