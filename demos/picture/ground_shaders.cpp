@@ -43,8 +43,8 @@ out vec4 colour;
 float lines(vec2 at, float spacing) {
   vec2 cell = at / spacing;
   vec2 width = fwidth(cell);
-  vec2 distance = abs(fract(cell - 0.5) - 0.5);
-  vec2 cover = clamp(1.25 - distance / width, 0.0, 1.0) * clamp(0.5 / width - 1.0, 0.0, 1.0);
+  vec2 off = abs(fract(cell - 0.5) - 0.5);
+  vec2 cover = clamp(1.25 - off / width, 0.0, 1.0) * clamp(0.5 / width - 1.0, 0.0, 1.0);
   return max(cover.x, cover.y);
 }
 
@@ -55,7 +55,7 @@ void main() {
   vec3 tone = vec3(0.83, 0.845, 0.855);
   float line = lines(on_plane + grid.xy, grid.z);
   tone *= 1.0 - 0.13 * line;
-  tone *= mix(vec3(0.50, 0.52, 0.56), vec3(1.0), seen_light(place, normal, 8, 1.75));
+  tone *= mix(vec3(0.50, 0.52, 0.56), vec3(1.0), seen_light(place, normal, 8, picture.w));
   colour = shown(mix(background(), tone, near), 1.0);
 }
 )";

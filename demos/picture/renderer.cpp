@@ -142,7 +142,8 @@ FrameUniforms Renderer::Parts::seen_by_eye(const Camera& camera, const LightBox&
           .eye = four(camera.eye(), 1.0),
           .light = four(to_light, look.shadow ? box.texel : 0.0),
           .up = four(subject.up, pixel_slope(camera, height)),
-          .picture = {float(width), float(height), encodes_srgb() ? 0.0f : 1.0f, 0.0f}};
+          .picture = {float(width), float(height), encodes_srgb() ? 0.0f : 1.0f,
+                      float(0.018 * height_seen(camera))}};
 }
 
 void Renderer::Parts::set_uniforms(const FrameUniforms& uniforms) const {

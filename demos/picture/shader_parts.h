@@ -42,11 +42,13 @@ bool is_finite(vec3 v) { return !(any(isnan(v)) || any(isinf(v))); }
 inline constexpr const char* lighting = R"(
 uniform sampler2DShadow shadow_map;
 
-// The share of the light's disc that is seen from a place [0, 1]: an average over taps x taps places of the map, so
-// many texels apart, which weigh less the further away they are. `taps` is even.
-float seen_light(vec3 place, vec3 normal, int taps, float apart) {
+// The share of the light's disc that is seen from a place [0, 1]: an average over taps x taps places of the map, which
+// weigh less the further away they are. They reach so many metres to each side, whatever the size of a texel is: edges
+// must not change as the map grows with the scene. `taps` is even.
+float seen_light(vec3 place, vec3 normal, int taps, float softness) {
   if (light.w <= 0.0) return 1.0;
-  float reach = 0.5 * float(taps) * apart;  // [texels]
+  float reach = clamp(softness / light.w, 0.5 * float(taps), 1.25 * float(taps));  // [texels]
+  float apart = 2.0 * reach / float(taps);
   vec3 at = (shadow_from_world * vec4(place + 0.7 * reach * light.w * normal, 1.0)).xyz;
   vec2 texel = 1.0 / vec2(textureSize(shadow_map, 0));
   vec2 edge = (reach + 1.0) * texel;
@@ -59,8 +61,8 @@ float seen_light(vec3 place, vec3 normal, int taps, float apart) {
       seen += share.x * share.y * texture(shadow_map, vec3(at.xy + offset * texel, at.z));
     }
   }
-  float all = float(taps) * (1.0 - 0.25 * apart * float(taps) / (reach + 0.5));  // of the shares in a row
-  return seen / (all * all);
+  float total = float(taps) * (1.0 - 0.25 * apart * float(taps) / (reach + 0.5));  // of the shares in a row
+  return seen / (total * total);
 }
 
 // Light from all of the sky, and from the ground.

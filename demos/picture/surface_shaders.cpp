@@ -34,7 +34,7 @@ void main() {
   vec3 cloth = gl_FrontFacing ? front : back;
   float slope = dot(normal, light.xyz);
   // Shadows fall on the side that the light sees, whichever side we see.
-  float seen = seen_light(place, slope < 0.0 ? -normal : normal, 4, 1.6);
+  float seen = seen_light(place, slope < 0.0 ? -normal : normal, 4, 0.5 * picture.w);
   float direct = max(slope, 0.0) * seen;
   float through = max(-slope, 0.0) * seen;
   float facing = clamp(dot(normal, view), 0.0, 1.0);

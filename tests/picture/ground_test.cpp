@@ -65,6 +65,27 @@ TEST_CASE("the edge of a shadow is soft") {
   CHECK(few > 1.1 * many);
 }
 
+TEST_CASE("shadows do not jump from one frame to the next, though the map follows the scene") {
+  if (!can_draw()) return;
+  const Hovering scene;
+  const std::size_t corners = scene.surface.corners();
+  Subject subject = subject_of(scene.surface);
+  subject.particles = corners + 1;
+  Painter painter(subject, width, height);
+  std::vector<float> positions = scene.surface.positions;
+  positions.insert(positions.end(), {0, 0.5f, 0});
+  const Image lit = scene.paint(false);
+  Image before = painter.paint(positions, scene.camera, scene.look);
+  // A particle that is not drawn goes away, and makes the scene four times as large by small steps.
+  for (int k = 1; k <= 40; ++k) {
+    positions[3 * corners] = 0.04f * float(k);
+    const Image now = painter.paint(positions, scene.camera, scene.look);
+    CHECK(count(difference(now, before, 24)) == 0);
+    CHECK(count(difference(now, lit, 25)) > 500);
+    before = now;
+  }
+}
+
 TEST_CASE("a ground plane is drawn where it is, and tilted as it is") {
   if (!can_draw()) return;
   const Hovering scene;
