@@ -9,15 +9,18 @@ add_library(hooke_picture STATIC
   picture/gl_objects.cpp
   picture/ground_layer.cpp
   picture/ground_shaders.cpp
+  picture/label.cpp
   picture/light_box.cpp
   picture/light_direction.cpp
   picture/multisampled_target.cpp
   picture/offscreen_context.cpp
+  picture/outline.cpp
   picture/painter.cpp
   picture/png_file.cpp
   picture/program_pair.cpp
   picture/renderer.cpp
   picture/shadow_map.cpp
+  picture/sheet.cpp
   picture/sizes.cpp
   picture/spring_layer.cpp
   picture/spring_shaders.cpp

@@ -8,6 +8,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "program/picture_arguments.h"
+
 namespace hooke::program {
 namespace {
 
@@ -150,6 +152,7 @@ void add_run_options(CLI::App& command, Arguments& arguments) {
       ->type_name("NAME");
   command.add_option("--report", arguments.report, "File for a report of the run as one JSON object")
       ->type_name("FILE.json");
+  add_picture_options(command, arguments.pictures);
 }
 
 void add_accuracy_options(CLI::App& command, Arguments& arguments) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "program/choices.h"
+#include "program/picture_options.h"
 #include "writers/frame_writer.h"
 
 namespace CLI {
@@ -27,6 +28,7 @@ struct Arguments {
   std::filesystem::path out;  ///< folder for frames; empty: none are written
   FileFormat format = FileFormat::vtp;
   std::filesystem::path report;  ///< file for the JSON report; empty: none
+  PictureOptions pictures;
 
   // Of the study of accuracy; seconds is its horizon and out the folder of its page.
   double tolerance = 1e-3;     ///< [1] share of the scene's size

@@ -13,7 +13,9 @@ constexpr double most_steps = 9007199254740992.0;  // 2^53: up to here a double 
 }  // namespace
 
 FrameSchedule::FrameSchedule(double seconds, double step, double fps)
-    : steps_(0), steps_per_frame_(std::clamp(1.0 / (fps * step), 1.0, most_steps)) {
+    : steps_(0),
+      steps_per_frame_(std::clamp(1.0 / (fps * step), 1.0, most_steps)),
+      fps_(1.0 / (steps_per_frame_ * step)) {
   const double steps = std::round(seconds / step);
   if (!(steps <= most_steps)) {
     std::ostringstream message;

@@ -13,6 +13,7 @@ class FrameSchedule {
   FrameSchedule(double seconds, double step, double fps);
 
   std::uint64_t steps() const { return steps_; }
+  double fps() const { return fps_; }  ///< [1/s] frames that come for each simulated second
 
   /// The number of steps after which frame `frame` shows the state: 0 for frame 0, and later for each one.
   std::uint64_t step_of(std::uint64_t frame) const;
@@ -20,6 +21,7 @@ class FrameSchedule {
  private:
   std::uint64_t steps_;
   double steps_per_frame_;
+  double fps_;
 };
 
 }  // namespace hooke::program

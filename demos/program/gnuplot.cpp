@@ -1,28 +1,11 @@
 #include "program/gnuplot.h"
 
-#include <cerrno>
-
 #include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "program/child_process.h"
+
 namespace hooke::program {
-namespace {
-
-constexpr int not_found = 127;  // what a shell returns, too
-
-/// In the child: becomes gnuplot. Only calls that are allowed after a fork of a program with threads.
-[[noreturn]] void become_gnuplot(const char* folder, const char* script) {
-  const int log = chdir(folder) == 0 ? open("gnuplot.log", O_WRONLY | O_CREAT | O_TRUNC, 0666) : -1;
-  if (log >= 0) {
-    dup2(log, STDOUT_FILENO);
-    dup2(log, STDERR_FILENO);
-  }
-  execlp("gnuplot", "gnuplot", script, static_cast<char*>(nullptr));
-  _exit(errno == ENOENT ? not_found : 1);
-}
-
-}  // namespace
 
 std::string gnuplot_string(std::string_view text) {
   std::string quoted = "'";
@@ -34,14 +17,12 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 Drawing draw(const std::filesystem::path& folder, const std::string& script) {
-  const pid_t child = fork();
-  if (child < 0) return Drawing::failed;
-  if (child == 0) become_gnuplot(folder.c_str(), script.c_str());
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == not_found) return Drawing::no_gnuplot;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Drawing::done : Drawing::failed;
+  const int log = open((folder / "gnuplot.log").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (log < 0) return Drawing::failed;
+  ChildProcess gnuplot({"gnuplot", script}, folder, log);
+  close(log);
+  if (!gnuplot.found()) return Drawing::no_gnuplot;
+  return gnuplot.wait() ? Drawing::done : Drawing::failed;
 }
 
 }  // namespace hooke::program

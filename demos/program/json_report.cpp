@@ -86,6 +86,9 @@ std::string json_report(const RunResult& result) {
   report["peak_memory_bytes"] = result.peak_memory_bytes;
   report["output_folder"] = result.out.empty() ? Json(nullptr) : Json(result.out.string());
   report["files"] = files(result.files);
+  report["pictures"] = files(result.pictures);
+  report["pictures_problem"] = result.pictures_problem;
+  report["pictures_seconds"] = number(result.pictures_seconds);
   // A file's name need not be UTF-8, and must not stop the report.
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

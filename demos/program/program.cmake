@@ -25,18 +25,24 @@ add_library(hooke_program STATIC
   program/accuracy_table.cpp
   program/arguments.cpp
   program/check.cpp
+  program/child_process.cpp
   program/choices.cpp
   program/command_line.cpp
+  program/film.cpp
   program/frame_recorder.cpp
   program/frame_schedule.cpp
   program/gnuplot.cpp
   program/interruption.cpp
   program/json_report.cpp
   program/machine.cpp
+  program/moment_label.cpp
+  program/movie.cpp
   program/peak_memory.cpp
+  program/picture_arguments.cpp
   program/plan.cpp
   program/program.cpp
   program/progress_bar.cpp
+  program/recording.cpp
   program/rounded.cpp
   program/run.cpp
   program/run_result.cpp
@@ -47,6 +53,13 @@ add_library(hooke_program STATIC
 target_compile_definitions(hooke_program PRIVATE HOOKE_VERSION="${PROJECT_VERSION}")
 target_link_libraries(hooke_program PUBLIC hooke_scene_file hooke_writers
                                     PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
+# Pictures are made or, where their libraries are absent, refused with a word on what to install.
+if(HOOKE_HAS_PICTURES)
+  target_sources(hooke_program PRIVATE program/pictures.cpp)
+  target_link_libraries(hooke_program PRIVATE hooke_picture)
+else()
+  target_sources(hooke_program PRIVATE program/pictures_absent.cpp)
+endif()
 hooke_warnings(hooke_program)
 
 add_executable(hooke_cli program/main.cpp)

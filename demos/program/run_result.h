@@ -53,6 +53,11 @@ struct RunResult {
   std::filesystem::path entry;  ///< the file to open to see the run
   std::vector<std::filesystem::path> files;
 
+  std::vector<std::filesystem::path> pictures;  ///< files of pictures and movies
+  std::string pictures_driver;                  ///< what drew them; empty where none were asked for
+  std::string pictures_problem;                 ///< why some of them are missing; empty where none are
+  double pictures_seconds = 0.0;                ///< [s] spent on drawing them, after the run
+
   /// Wall time [ns] for each spring and step, and for each particle and step; nothing where there are none.
   std::optional<double> ns_per_spring_step() const;
   std::optional<double> ns_per_particle_step() const;

@@ -52,18 +52,24 @@ bool take_steps(Simulation<Real>& simulation, std::uint64_t count, RunResult& re
 
 template <class Real>
 void simulate(Simulation<Real>& simulation, const FrameSchedule& schedule, const Interruption& interruption,
-              FrameRecorder<Real>& recorder, ProgressBar& progress, RunResult& result) {
+              FrameRecorder<Real>& recorder, std::span<Film> films, ProgressBar& progress,
+              RunResult& result) {
   result.energy_start = simulation.energy().total();
   recorder.record(simulation);
+  for (Film& film : films) film.follow(simulation);
   bool good = true;
   while (good && simulation.steps() < schedule.steps() && interruption.signal() == 0) {
     const std::uint64_t frame_step = schedule.step_of(recorder.frames());
-    const std::uint64_t to_go = std::min(frame_step, schedule.steps()) - simulation.steps();
+    std::uint64_t stop = std::min(frame_step, schedule.steps());
+    for (const Film& film : films) stop = std::min(stop, film.next_step());
+    const std::uint64_t to_go = stop - simulation.steps();
     good = take_steps(simulation, std::min(to_go, steps_until_look(result)), result);
     if (simulation.steps() == frame_step) recorder.record(simulation);
+    for (Film& film : films) film.follow(simulation);
     progress.update(static_cast<double>(simulation.steps()) / static_cast<double>(schedule.steps()));
   }
   if (!good && recorder.last_step() < simulation.steps()) recorder.record(simulation);
+  for (Film& film : films) film.end(simulation);
   result.interrupted_by = interruption.signal();
   result.simulated_seconds = simulation.time();
   result.energy_end = simulation.energy().total();
@@ -74,8 +80,8 @@ void simulate(Simulation<Real>& simulation, const FrameSchedule& schedule, const
 }
 
 template void simulate(Simulation<float>&, const FrameSchedule&, const Interruption&, FrameRecorder<float>&,
-                       ProgressBar&, RunResult&);
+                       std::span<Film>, ProgressBar&, RunResult&);
 template void simulate(Simulation<double>&, const FrameSchedule&, const Interruption&, FrameRecorder<double>&,
-                       ProgressBar&, RunResult&);
+                       std::span<Film>, ProgressBar&, RunResult&);
 
 }  // namespace hooke::program

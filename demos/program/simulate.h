@@ -1,7 +1,10 @@
 #pragma once
 
+#include <span>
+
 #include <hooke/simulation.h>
 
+#include "program/film.h"
 #include "program/frame_recorder.h"
 #include "program/frame_schedule.h"
 #include "program/interruption.h"
@@ -10,15 +13,16 @@
 
 namespace hooke::program {
 
-/// Runs a simulation by its schedule until it is done, goes bad or is interrupted, recording the frames: also
-/// the last good state before a bad step. Fills in of `result` what a run changes.
+/// Runs a simulation by its schedule until it is done, goes bad or is interrupted, recording the frames, also
+/// the last good state before a bad step, and the moments of the films. Fills in of `result` what a run
+/// changes.
 template <class Real>
 void simulate(Simulation<Real>& simulation, const FrameSchedule& schedule, const Interruption& interruption,
-              FrameRecorder<Real>& recorder, ProgressBar& progress, RunResult& result);
+              FrameRecorder<Real>& recorder, std::span<Film> films, ProgressBar& progress, RunResult& result);
 
 extern template void simulate(Simulation<float>&, const FrameSchedule&, const Interruption&,
-                              FrameRecorder<float>&, ProgressBar&, RunResult&);
+                              FrameRecorder<float>&, std::span<Film>, ProgressBar&, RunResult&);
 extern template void simulate(Simulation<double>&, const FrameSchedule&, const Interruption&,
-                              FrameRecorder<double>&, ProgressBar&, RunResult&);
+                              FrameRecorder<double>&, std::span<Film>, ProgressBar&, RunResult&);
 
 }  // namespace hooke::program

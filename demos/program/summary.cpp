@@ -32,6 +32,15 @@ void print_files(const RunResult& result, std::ostream& out) {
   }
 }
 
+void print_pictures(const RunResult& result, std::ostream& out) {
+  if (result.pictures_driver.empty()) return;
+  out << "  pictures         ";
+  for (const std::filesystem::path& file : result.pictures)
+    out << (&file == &result.pictures.front() ? "" : ", ") << file.string();
+  out << (result.pictures.empty() ? "none" : "") << "; drawn in " << rounded(result.pictures_seconds)
+      << " s by " << result.pictures_driver << '\n';
+}
+
 }  // namespace
 
 void print_summary(const RunResult& result, std::ostream& out) {
@@ -58,6 +67,7 @@ void print_summary(const RunResult& result, std::ostream& out) {
       << " for each particle in the simulation; peak of the process " << mebibytes(result.peak_memory_bytes)
       << ", " << bytes_of_each(result.peak_memory_bytes, result.particles) << " for each particle\n";
   print_files(result, out);
+  print_pictures(result, out);
 }
 
 }  // namespace hooke::program

@@ -45,6 +45,9 @@ class AtomicFile {
 
   const std::filesystem::path& path() const { return path_; }
 
+  /// The temporary file, for what another program writes in the place of write().
+  const std::filesystem::path& partial() const { return partial_; }
+
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }

@@ -119,5 +119,56 @@ TEST_CASE("a format without a folder to write to is refused") {
   CHECK(error_of({"--format", "gif", "--out", "frames"}).find("vtp, obj, pc2") != std::string::npos);
 }
 
+TEST_CASE("pictures are asked for by file, moments, size and camera") {
+  const PictureOptions none = parse({}).pictures;
+  CHECK(!none.any());
+  const PictureOptions still = parse({"--picture", "a.PNG"}).pictures;
+  CHECK(still.any());
+  CHECK(still.picture == "a.PNG");
+  CHECK(!still.sheet);
+  CHECK(!still.camera);
+  CHECK(still.width == 1280);
+  CHECK(still.height == 720);
+  const PictureOptions all = parse({"--picture", "a.png", "--sheet", "4x1", "--movie", "b.mp4", "--size",
+                                    "640x358", "--camera", "-30,12.5,2"})
+                                 .pictures;
+  CHECK(all.sheet.value().columns == 4);
+  CHECK(all.sheet.value().rows == 1);
+  CHECK(all.sheet.value().moments() == 4);
+  CHECK(all.movie == "b.mp4");
+  CHECK(all.width == 640);
+  CHECK(all.height == 358);
+  CHECK(all.camera.value().azimuth == -30.0);
+  CHECK(all.camera.value().elevation == 12.5);
+  CHECK(all.camera.value().zoom == 2.0);
+  CHECK(parse({"--movie", "b.mp4", "--camera", "0,0"}).pictures.camera.value().zoom == 1.0);
+}
+
+TEST_CASE("pictures that cannot be made are refused with a remedy") {
+  check_error("--picture", "a.jpg", "ends in .png");
+  check_error("--movie", "a.avi", "ends in .mp4");
+  for (const char* shape : {"3", "x2", "3x", "0x2", "3x2x1", "-1x2", "3x2.5", "21x1", "axb", ""})
+    CHECK(error_of({"--picture", "a.png", "--sheet", shape}).find("such as 3x2") != std::string::npos);
+  for (const char* size : {"1280", "15x100", "100x8193", "1280*720", "1e3x100"})
+    check_error("--size", size, "such as 1280x720");
+  for (const char* camera :
+       {"30", "30,90", "30,-90", "nan,0", "30,10,0", "30,10,11", "30,10,1,1", "a,b", "30,"})
+    check_error("--camera", camera, "such as 30,10,1.5");
+}
+
+TEST_CASE("options of pictures without a picture are refused") {
+  CHECK(error_of({"--sheet", "3x2"}).find("--picture") != std::string::npos);
+  CHECK(error_of({"--size", "640x360"}).find("--picture or --movie") != std::string::npos);
+  CHECK(error_of({"--camera", "30,10"}).find("--picture or --movie") != std::string::npos);
+  CHECK(error_of({"--sheet", "3x2", "--movie", "a.mp4"}).find("--picture") != std::string::npos);
+}
+
+TEST_CASE("a movie of odd size is refused, a picture is not") {
+  const std::string message = error_of({"--movie", "a.mp4", "--size", "641x360"});
+  CHECK(message.find("641x360") != std::string::npos);
+  CHECK(message.find("even numbers") != std::string::npos);
+  CHECK(error_of({"--picture", "a.png", "--size", "641x361"}).empty());
+}
+
 }  // namespace
 }  // namespace hooke::program

@@ -70,6 +70,19 @@ TEST_CASE("a report says what the run did") {
   CHECK(report.at("simulation_bytes") == 200'000);
   CHECK(report.at("peak_memory_bytes") == 9'000'000);
   CHECK(report.at("output_folder").is_null());
+  CHECK(report.at("pictures") == json::array());
+  CHECK(report.at("pictures_problem") == "");
+}
+
+TEST_CASE("a report names the pictures that were made, and why others are missing") {
+  RunResult result = good_result();
+  result.pictures = {"a/still.png"};
+  result.pictures_problem = "ffmpeg fell asleep";
+  result.pictures_seconds = 0.25;
+  const json report = json::parse(json_report(result));
+  CHECK(report.at("pictures") == json::array({"a/still.png"}));
+  CHECK(report.at("pictures_problem") == "ffmpeg fell asleep");
+  CHECK(report.at("pictures_seconds") == 0.25);
 }
 
 TEST_CASE("a report of a run that went bad says where") {

@@ -1,9 +1,13 @@
 #include "program/simulate.h"
 
 #include <csignal>
+#include <span>
 #include <sstream>
+#include <vector>
 
 #include <doctest/doctest.h>
+
+#include "program/files.h"
 
 namespace hooke::program {
 namespace {
@@ -45,15 +49,15 @@ Scene unstable_spring() {
 }
 
 template <class Real>
-RunResult simulate_scene(const Scene& scene, const FrameSchedule& schedule, double step,
-                         TimesWriter& writer) {
+RunResult simulate_scene(const Scene& scene, const FrameSchedule& schedule, double step, TimesWriter& writer,
+                         std::span<Film> films = {}) {
   Simulation<Real> simulation(scene, {.step = step});
   const Interruption interruption;
   FrameRecorder<Real> recorder(&writer);
   std::ostringstream nowhere;
   ProgressBar progress(nowhere, false);
   RunResult result;
-  simulate(simulation, schedule, interruption, recorder, progress, result);
+  simulate(simulation, schedule, interruption, recorder, films, progress, result);
   return result;
 }
 
@@ -120,6 +124,55 @@ TEST_CASE("Ctrl-C stops a run where it is") {
   CHECK(result.interrupted_by == SIGINT);
   CHECK(writer.times.size() == 4);
   CHECK(result.steps == 30);
+}
+
+std::vector<double> times_of(Film& film) {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < film.recording().size(); ++i) times.push_back(film.recording().time(i));
+  return times;
+}
+
+void check_times(Film& film, const std::vector<double>& expected) {
+  const std::vector<double> times = times_of(film);
+  REQUIRE(times.size() == expected.size());
+  for (std::size_t i = 0; i < times.size(); ++i) CHECK(times[i] == doctest::Approx(expected[i]));
+}
+
+TEST_CASE_TEMPLATE("films take their moments beside the frames, and change neither them nor the answer", Real,
+                   float, double) {
+  const test::TemporaryFolder folder;
+  const FrameSchedule schedule(1.0, 0.01, 10.0);
+  TimesWriter alone, accompanied;
+  const RunResult result = simulate_scene<Real>(falling_particle(), schedule, 0.01, alone);
+  std::vector<Film> films;
+  films.emplace_back(FrameSchedule(1.0, 0.01, 3.0), 1, folder.path());
+  films.emplace_back(FrameSchedule(1.0, 0.01, 0.0), 1, folder.path());
+  const RunResult filmed = simulate_scene<Real>(falling_particle(), schedule, 0.01, accompanied, films);
+  CHECK(filmed.state_hash == result.state_hash);
+  CHECK(filmed.frames == 11);
+  CHECK(accompanied.times == alone.times);
+  check_times(films[0], {0.0, 0.33, 0.67, 1.0});
+  check_times(films[1], {0.0, 1.0});
+  CHECK(films[0].recording().positions(0)[1] == 10.0F);
+  CHECK(films[1].recording().positions(1)[1] == static_cast<float>(alone.heights.back()));
+}
+
+TEST_CASE("a film of a run that ends early has the state that it ends with") {
+  const test::TemporaryFolder folder;
+  std::vector<Film> films;
+  films.emplace_back(FrameSchedule(1e6, 0.01, 5.0), 1, folder.path());
+  TimesWriter writer;
+  writer.signal_at = 4;
+  simulate_scene<float>(falling_particle(), {1e6, 0.01, 10.0}, 0.01, writer, films);
+  check_times(films[0], {0.0, 0.2, 0.3});
+
+  films.clear();
+  films.emplace_back(FrameSchedule(1e6, 0.02, 1e-3), 2, folder.path());
+  TimesWriter unstable;
+  const RunResult result = simulate_scene<float>(unstable_spring(), {1e6, 0.02, 1e-3}, 0.02, unstable, films);
+  CHECK(result.bad_step > 0);
+  check_times(films[0], {0.0, static_cast<double>(result.steps) * 0.02});
+  CHECK(films[0].recording().positions(1)[1] == static_cast<float>(unstable.heights.back()));
 }
 
 }  // namespace

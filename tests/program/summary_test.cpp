@@ -49,5 +49,16 @@ TEST_CASE("a summary says where the files are") {
   CHECK(contains(summary(result), "2 in frames, to open: frames/curtain.pvd"));
 }
 
+TEST_CASE("a summary names the pictures and what drew them, if any were asked for") {
+  RunResult result = result_of(1, 1);
+  CHECK(!contains(summary(result), "pictures"));
+  result.pictures = {"a.png", "b.mp4"};
+  result.pictures_driver = "a pen";
+  result.pictures_seconds = 0.5;
+  CHECK(contains(summary(result), "a.png, b.mp4; drawn in 0.5 s by a pen\n"));
+  result.pictures.clear();
+  CHECK(contains(summary(result), "none; drawn"));
+}
+
 }  // namespace
 }  // namespace hooke::program
