@@ -22,8 +22,8 @@ std::vector<std::string> ffmpeg_words(int width, int height, double fps, const s
           // What comes in through the pipe.
           "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", size.str(), "-framerate", rate.str(),
           "-i", "pipe:0",
-          // What goes out.
-          "-vf", colours, "-c:v", "libx264", "-preset", "medium", "-crf", "18", "-colorspace", "bt709",
+          // What goes out. With a higher -crf, what stands still is seen to flicker.
+          "-vf", colours, "-c:v", "libx264", "-preset", "medium", "-crf", "12", "-colorspace", "bt709",
           "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-movflags", "+faststart", "-f", format,
           file};
 }

@@ -1,8 +1,10 @@
 #include "program/pictures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "picture/bounds.h"
 #include "picture/outline.h"
@@ -24,8 +26,15 @@ class SceneView {
   /// Looks at these moments and those that follow: one camera for all, so that nothing moves but the scene.
   void look_at(Recording& recording, std::size_t first) {
     picture::Outline outline(camera_, aspect_);
-    for (std::size_t moment = first; moment < recording.size(); ++moment)
-      outline.add(recording.positions(moment));
+    double usual = 0.0;
+    for (std::size_t moment = first; moment < recording.size(); ++moment) {
+      const std::span<const float> positions = recording.positions(moment);
+      const double size = picture::bounds_of(positions).diagonal();
+      // From where all can be seen of what goes bad and flies apart, nothing can.
+      if (moment > first && usual > 0.0 && size > 100.0 * usual) continue;
+      usual = std::max(usual, size);
+      outline.add(positions);
+    }
     camera_ = fitted(camera_, outline.points(), aspect_);
     look_.floor_height = outline.lowest() - 0.03 * picture::bounds_of(outline.points()).diagonal();
     // The eye stays where it is: a longer lens, not a step forward into the scene.
@@ -39,10 +48,11 @@ class SceneView {
   std::string driver() const { return painter_.driver(); }
 
  private:
-  SceneView(const picture::Subject& subject, const std::optional<CameraOptions>& options, int width,
-            int height)
-      : look_(look_for(subject)), aspect_(double(width) / double(height)), painter_(subject, width, height) {
-    camera_.up = subject.up;
+  SceneView(picture::Subject subject, const std::optional<CameraOptions>& options, int width, int height)
+      : look_(look_for(subject)),
+        camera_{.up = subject.up},
+        aspect_(double(width) / double(height)),
+        painter_(std::move(subject), width, height) {
     if (!options) return;
     camera_.azimuth = options->azimuth * std::numbers::pi / 180.0;
     camera_.elevation = options->elevation * std::numbers::pi / 180.0;
