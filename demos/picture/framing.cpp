@@ -33,10 +33,12 @@ double floor_under(const Bounds& bounds, const Vec3& up) {
   return lowest - (bounds.diagonal() > 0.0 ? 0.03 * bounds.diagonal() : under_one_point);
 }
 
-std::vector<float> with_shadows(std::span<const float> points, const Subject& subject, const Look& look) {
+std::vector<float> with_shadows(std::span<const float> points, const Subject& subject, const Look& look,
+                                std::optional<double> reach) {
   std::vector<float> all(points.begin(), points.end());
   if (!look.ground || !look.shadow) return all;
   const Bounds bounds = bounds_of(points);
+  const double furthest = reach.value_or(1.5 * bounds.diagonal());
   const Vec3 to_light = direction_to_light(subject.up);
   for (const Plane& plane : planes_of(subject, look, bounds)) {
     const double approach = plane.normal.dot(to_light);
@@ -44,7 +46,7 @@ std::vector<float> with_shadows(std::span<const float> points, const Subject& su
     for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
       const Vec3 point(points[i], points[i + 1], points[i + 2]);
       const double way = (plane.normal.dot(point) - plane.height) / approach;
-      if (!(way > 0.0 && way <= 1.5 * bounds.diagonal())) continue;
+      if (!(way > 0.0 && way <= furthest)) continue;
       const Eigen::Vector3f shadow = (point - way * to_light).cast<float>();
       all.insert(all.end(), shadow.data(), shadow.data() + 3);
     }

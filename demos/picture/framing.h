@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,9 @@ namespace hooke::picture {
 double floor_under(const Bounds& bounds, const Vec3& up);
 
 /// Some points (x, y, z of each [m]) and the shadows that they cast on the ground, but for those that fall
-/// far from the scene.
-std::vector<float> with_shadows(std::span<const float> points, const Subject& subject, const Look& look);
+/// further than `reach` [m] from what casts them; none: further than one and a half times
+/// the points' own size.
+std::vector<float> with_shadows(std::span<const float> points, const Subject& subject, const Look& look,
+                                std::optional<double> reach = {});
 
 }  // namespace hooke::picture

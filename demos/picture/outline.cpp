@@ -6,7 +6,7 @@
 
 namespace hooke::picture {
 
-Outline::Outline(const Camera& camera, double aspect) : up_(camera.up) {
+Outline::Outline(const Camera& camera, double aspect) {
   const double over = std::tan(0.5 * camera.field_of_view), right = over * aspect;
   const auto take = [&](const Vec3& direction) { directions_.push_back(direction.cast<float>()); };
   // Outwards from the borders of what is seen: those of the whole picture, and of less where it has a margin.
@@ -16,10 +16,7 @@ Outline::Outline(const Camera& camera, double aspect) : up_(camera.up) {
       take(sign * camera.over() - share * over * camera.forward());
     }
   }
-  for (const double sign : {-1.0, 1.0}) {
-    take(sign * camera.forward());
-    take(sign * camera.up);
-  }
+  for (const double sign : {-1.0, 1.0}) take(sign * camera.forward());
   reach_.assign(directions_.size(), -std::numeric_limits<float>::infinity());
 }
 
@@ -35,13 +32,6 @@ void Outline::add(std::span<const float> points) {
       std::copy_n(point.data(), 3, furthest_.data() + 3 * k);
     }
   }
-}
-
-double Outline::lowest() const {
-  double lowest = furthest_.empty() ? 0.0 : std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 2 < furthest_.size(); i += 3)
-    lowest = std::min(lowest, Vec3(furthest_[i], furthest_[i + 1], furthest_[i + 2]).dot(up_));
-  return lowest;
 }
 
 }  // namespace hooke::picture

@@ -20,14 +20,10 @@ class Outline {
   /// x, y, z of the points that were furthest [m], some of them several times.
   std::span<const float> points() const { return furthest_; }
 
-  /// [m] along the camera's `up`, of the lowest of all points; 0 where there are none.
-  double lowest() const;
-
  private:
   std::vector<Eigen::Vector3f> directions_;
   std::vector<float> reach_;     ///< of the points so far along each direction [m]
   std::vector<float> furthest_;  ///< x, y, z of the points that reach there
-  Vec3 up_;
 };
 
 }  // namespace hooke::picture

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "picture/bounds.h"
+#include "picture/framing.h"
 #include "picture/outline.h"
 #include "picture/painter.h"
 #include "picture/png_file.h"
@@ -17,6 +18,40 @@
 namespace hooke::program {
 namespace {
 
+/// All moments from `first` on, but for those of a scene that went bad and flew apart: from where all of that
+/// can be seen, nothing can.
+std::vector<std::size_t> moments_to_see(Recording& recording, std::size_t first) {
+  constexpr double apart = 100.0;  // times as large as ever before
+  std::vector<std::size_t> moments;
+  double usual = 0.0;
+  for (std::size_t moment = first; moment < recording.size(); ++moment) {
+    const double size = picture::bounds_of(recording.positions(moment)).diagonal();
+    if (usual > 0.0 && size > apart * usual) continue;
+    usual = std::max(usual, size);
+    moments.push_back(moment);
+  }
+  return moments;
+}
+
+/// The box around all these moments.
+picture::Bounds bounds_of(Recording& recording, const std::vector<std::size_t>& moments) {
+  picture::Bounds all = picture::bounds_of(recording.positions(moments.front()));
+  for (const std::size_t moment : moments) {
+    const picture::Bounds bounds = picture::bounds_of(recording.positions(moment));
+    all.least = all.least.cwiseMin(bounds.least);
+    all.most = all.most.cwiseMax(bounds.most);
+  }
+  return all;
+}
+
+/// What of a subject shadows fall on.
+picture::Subject surroundings(const picture::Subject& subject) {
+  picture::Subject result;
+  result.grounds = subject.grounds;
+  result.up = subject.up;
+  return result;
+}
+
 /// Draws a scene from where the user wants to see it.
 class SceneView {
  public:
@@ -25,18 +60,13 @@ class SceneView {
 
   /// Looks at these moments and those that follow: one camera for all, so that nothing moves but the scene.
   void look_at(Recording& recording, std::size_t first) {
+    const std::vector<std::size_t> seen = moments_to_see(recording, first);
+    const picture::Bounds bounds = bounds_of(recording, seen);
+    look_.floor_height = floor_under(bounds, camera_.up);
     picture::Outline outline(camera_, aspect_);
-    double usual = 0.0;
-    for (std::size_t moment = first; moment < recording.size(); ++moment) {
-      const std::span<const float> positions = recording.positions(moment);
-      const double size = picture::bounds_of(positions).diagonal();
-      // From where all can be seen of what goes bad and flies apart, nothing can.
-      if (moment > first && usual > 0.0 && size > 100.0 * usual) continue;
-      usual = std::max(usual, size);
-      outline.add(positions);
-    }
+    for (const std::size_t moment : seen)
+      outline.add(with_shadows(recording.positions(moment), surroundings_, look_, bounds.diagonal()));
     camera_ = fitted(camera_, outline.points(), aspect_);
-    look_.floor_height = outline.lowest() - 0.03 * picture::bounds_of(outline.points()).diagonal();
     // The eye stays where it is: a longer lens, not a step forward into the scene.
     camera_.field_of_view = 2.0 * std::atan(std::tan(0.5 * camera_.field_of_view) / zoom_);
   }
@@ -51,6 +81,7 @@ class SceneView {
   SceneView(picture::Subject subject, const std::optional<CameraOptions>& options, int width, int height)
       : look_(look_for(subject)),
         camera_{.up = subject.up},
+        surroundings_(surroundings(subject)),
         aspect_(double(width) / double(height)),
         painter_(std::move(subject), width, height) {
     if (!options) return;
@@ -61,6 +92,7 @@ class SceneView {
 
   picture::Look look_;
   picture::Camera camera_;
+  picture::Subject surroundings_;
   double zoom_ = 1.0, aspect_;
   picture::Painter painter_;
 };
