@@ -5,7 +5,7 @@
 #   ./run.sh SCENE.json [OPTIONS]      another scene, with options of `hooke run`
 #   ./run.sh --format pc2 [OPTIONS]    the curtain, with options
 #
-# Frames and a picture of six moments go to out/SCENE, unless --out names another folder. Debian packages that the build
+# Frames and a picture of six moments (docs/pictures.md) go to out/SCENE, unless --out names another folder. Debian packages that the build
 # needs and that are missing are installed, if that takes no password.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/cmake/setup.sh"

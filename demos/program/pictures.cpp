@@ -10,6 +10,7 @@
 #include "picture/framing.h"
 #include "picture/outline.h"
 #include "picture/painter.h"
+#include "picture/picture_error.h"
 #include "picture/png_file.h"
 #include "picture/sheet.h"
 #include "program/moment_label.h"
@@ -18,14 +19,14 @@
 namespace hooke::program {
 namespace {
 
-/// All moments from `first` on, but for those of a scene that went bad and flew apart: from where all of that
-/// can be seen, nothing can.
-std::vector<std::size_t> moments_to_see(Recording& recording, std::size_t first) {
+/// The moments of a film that can be drawn: all, but where a run went bad those in which the scene had flown
+/// apart. From where all of that is seen nothing else is, and its huge triangles take minutes to draw.
+std::vector<std::size_t> moments_to_draw(Recording& recording, bool went_bad) {
   constexpr double apart = 100.0;  // times as large as ever before
   std::vector<std::size_t> moments;
   double usual = 0.0;
-  for (std::size_t moment = first; moment < recording.size(); ++moment) {
-    const double size = picture::bounds_of(recording.positions(moment)).diagonal();
+  for (std::size_t moment = 0; moment < recording.size(); ++moment) {
+    const double size = went_bad ? picture::bounds_of(recording.positions(moment)).diagonal() : 0.0;
     if (usual > 0.0 && size > apart * usual) continue;
     usual = std::max(usual, size);
     moments.push_back(moment);
@@ -33,8 +34,7 @@ std::vector<std::size_t> moments_to_see(Recording& recording, std::size_t first)
   return moments;
 }
 
-/// The box around all these moments.
-picture::Bounds bounds_of(Recording& recording, const std::vector<std::size_t>& moments) {
+picture::Bounds box_around(Recording& recording, const std::vector<std::size_t>& moments) {
   picture::Bounds all = picture::bounds_of(recording.positions(moments.front()));
   for (const std::size_t moment : moments) {
     const picture::Bounds bounds = picture::bounds_of(recording.positions(moment));
@@ -58,13 +58,12 @@ class SceneView {
   SceneView(const Scene& scene, const std::optional<CameraOptions>& camera, int width, int height)
       : SceneView(picture::subject_of(scene), camera, width, height) {}
 
-  /// Looks at these moments and those that follow: one camera for all, so that nothing moves but the scene.
-  void look_at(Recording& recording, std::size_t first) {
-    const std::vector<std::size_t> seen = moments_to_see(recording, first);
-    const picture::Bounds bounds = bounds_of(recording, seen);
+  /// Looks at these moments: one camera for all, so that nothing moves but the scene.
+  void look_at(Recording& recording, const std::vector<std::size_t>& moments) {
+    const picture::Bounds bounds = box_around(recording, moments);
     look_.floor_height = floor_under(bounds, camera_.up);
     picture::Outline outline(camera_, aspect_);
-    for (const std::size_t moment : seen)
+    for (const std::size_t moment : moments)
       outline.add(with_shadows(recording.positions(moment), surroundings_, look_, bounds.diagonal()));
     camera_ = fitted(camera_, outline.points(), aspect_);
     // The eye stays where it is: a longer lens, not a step forward into the scene.
@@ -119,12 +118,12 @@ class Still {
     return FrameSchedule(file.seconds, file.settings.step, (moments - 1) / file.seconds);
   }
 
-  void draw(Recording& recording) {
-    const std::size_t first = shape_.moments() == 1 ? recording.size() - 1 : 0;
-    view_.look_at(recording, first);
-    const std::vector<std::string> labels = labels_of(recording, first);
-    for (std::size_t cell = 0; cell < labels.size(); ++cell)
-      sheet_.place(static_cast<int>(cell), view_.draw(recording, first + cell), labels[cell]);
+  void draw(Recording& recording, bool went_bad) {
+    const std::vector<std::size_t> moments = moments_to_show(recording, went_bad);
+    view_.look_at(recording, moments);
+    const std::vector<std::string> labels = labels_of(recording, moments);
+    for (std::size_t cell = 0; cell < moments.size(); ++cell)
+      sheet_.place(static_cast<int>(cell), view_.draw(recording, moments[cell]), labels[cell]);
     picture::write_png(file_, sheet_.image());
   }
 
@@ -132,11 +131,21 @@ class Still {
   std::string driver() const { return view_.driver(); }
 
  private:
-  std::vector<std::string> labels_of(const Recording& recording, std::size_t first) const {
+  std::vector<std::size_t> moments_to_show(Recording& recording, bool went_bad) const {
+    const std::vector<std::size_t> moments = moments_to_draw(recording, went_bad);
+    if (shape_.moments() > 1) return moments;
+    if (moments.back() + 1 < recording.size())
+      throw picture::PictureError(
+          "no picture was drawn, as the scene had flown apart before the run went bad; "
+          "--sheet shows moments before that");
+    return {moments.back()};
+  }
+
+  std::vector<std::string> labels_of(const Recording& recording,
+                                     const std::vector<std::size_t>& moments) const {
     if (!is_sheet_) return {""};
     std::vector<double> times;
-    for (std::size_t moment = first; moment < recording.size(); ++moment)
-      times.push_back(recording.time(moment));
+    for (const std::size_t moment : moments) times.push_back(recording.time(moment));
     return moment_labels(times);
   }
 
@@ -159,12 +168,14 @@ class SceneMovie {
     return FrameSchedule(file.seconds, file.settings.step, file.fps);
   }
 
-  void draw(Recording& recording, const Interruption& interruption, ProgressBar& progress) {
-    view_.look_at(recording, 0);
-    for (std::size_t frame = 0; frame < recording.size() && (frame == 0 || interruption.signal() == 0);
-         ++frame) {
-      movie_.add(view_.draw(recording, frame));
-      progress.update(static_cast<double>(frame + 1) / static_cast<double>(recording.size()));
+  void draw(Recording& recording, bool went_bad, const Interruption& interruption, ProgressBar& progress) {
+    const std::vector<std::size_t> moments = moments_to_draw(recording, went_bad);
+    view_.look_at(recording, moments);
+    std::size_t drawn = 0;
+    for (const std::size_t moment : moments) {
+      if (drawn > 0 && interruption.signal() != 0) break;
+      movie_.add(view_.draw(recording, moment));
+      progress.update(static_cast<double>(++drawn) / static_cast<double>(moments.size()));
     }
     movie_.finish();
   }
@@ -194,13 +205,13 @@ class DrawnPictures final : public Pictures {
 
   std::span<Film> films() override { return films_; }
 
-  void draw(const Interruption& interruption, ProgressBar& progress) override {
+  void draw(bool went_bad, const Interruption& interruption, ProgressBar& progress) override {
     if (still_) {
-      still_->draw(films_.front().recording());
+      still_->draw(films_.front().recording(), went_bad);
       files_.push_back(still_->file());
     }
     if (movie_) {
-      movie_->draw(films_.back().recording(), interruption, progress);
+      movie_->draw(films_.back().recording(), went_bad, interruption, progress);
       files_.push_back(movie_->file());
     }
   }

@@ -23,9 +23,9 @@ class Pictures {
   /// What records the moments.
   virtual std::span<Film> films() = 0;
 
-  /// Draws what was recorded and writes the files. Ctrl-C ends a movie early. Throws PictureError and
-  /// WriteError; files() has what was made before.
-  virtual void draw(const Interruption& interruption, ProgressBar& progress) = 0;
+  /// Draws what was recorded and writes the files; of a run that went bad, what was before the scene flew
+  /// apart. Ctrl-C ends a movie early. Throws PictureError and WriteError; files() has what was made before.
+  virtual void draw(bool went_bad, const Interruption& interruption, ProgressBar& progress) = 0;
 
   /// The files that are whole by now.
   virtual const std::vector<std::filesystem::path>& files() const = 0;

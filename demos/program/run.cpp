@@ -73,10 +73,11 @@ void draw_pictures(Pictures& pictures, RunResult& result) {
   const Interruption interruption;
   ProgressBar progress(std::cerr, isatty(STDERR_FILENO) != 0);
   try {
-    pictures.draw(interruption, progress);
+    pictures.draw(result.bad_step != 0, interruption, progress);
   } catch (const std::exception& error) {
     result.pictures_problem = error.what();
   }
+  if (result.interrupted_by == 0) result.interrupted_by = interruption.signal();
   result.pictures = pictures.files();
   result.pictures_driver = pictures.driver();
   result.pictures_seconds = stopwatch.seconds();
