@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include <hooke/scene.h>
+#include <hooke/simulation.h>
+
+#include "viewer/live/command.h"
+#include "viewer/live/drag_spring.h"
+#include "viewer/live/work.h"
+
+namespace hooke::viewer {
+
+/// A simulation whose method, step, threads and effects can be changed while it runs, and whose particles can
+/// be dragged.
+template <class Real>
+class LiveSimulation {
+ public:
+  /// Throws as Simulation does.
+  LiveSimulation(Scene scene, Settings settings);
+
+  /// Goes on from the same state. Where the new settings or effects cannot be used it throws as Simulation
+  /// does and goes on as before.
+  void change(Setup setup);
+
+  /// Back to the state at the start.
+  void reset();
+
+  void drag(const Drag& drag);
+  void release() { drag_.reset(); }
+
+  /// Takes `count` steps, fewer if one goes bad, and adds to `work` what they took.
+  Report take_steps(std::uint64_t count, Work& work);
+
+  const Simulation<Real>& simulation() const { return simulation_; }
+  const Scene& scene() const { return scene_; }
+
+ private:
+  void pull();
+
+  Scene scene_;
+  Simulation<Real> simulation_;
+  Snapshot<Real> start_;
+  std::optional<Drag> drag_;
+  DragSpring spring_;  // of the drag
+};
+
+extern template class LiveSimulation<float>;
+extern template class LiveSimulation<double>;
+
+}  // namespace hooke::viewer
