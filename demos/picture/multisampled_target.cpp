@@ -57,13 +57,25 @@ void MultisampledTarget::begin() const {
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
 }
 
-Image MultisampledTarget::image() const {
+void MultisampledTarget::resolve() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.name());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.name());
   glEnable(GL_FRAMEBUFFER_SRGB);  // samples are averaged as light, not as the bytes that stand for it
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glDisable(GL_FRAMEBUFFER_SRGB);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.name());
+}
+
+void MultisampledTarget::show(int left, int bottom) const {
+  resolve();
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, width_, height_, left, bottom, left + width_, bottom + height_, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+}
+
+Image MultisampledTarget::image() const {
+  resolve();
   std::vector<std::uint8_t> rgba(4 * std::size_t(width_) * std::size_t(height_));
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   Image image(width_, height_);

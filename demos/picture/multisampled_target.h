@@ -20,7 +20,12 @@ class MultisampledTarget {
   /// What was drawn.
   Image image() const;
 
+  /// Copies what was drawn into the window, its lower left corner to this pixel of it.
+  void show(int left, int bottom) const;
+
  private:
+  void resolve() const;
+
   int width_, height_;
   Renderbuffer samples_, depths_, pixels_;
   Framebuffer drawn_, resolved_;

@@ -49,16 +49,17 @@ add_library(hooke_program STATIC
   program/scene_input.cpp
   program/simulate.cpp
   program/summary.cpp
-  program/text_table.cpp)
+  program/text_table.cpp
+  program/view_options.cpp)
 target_compile_definitions(hooke_program PRIVATE HOOKE_VERSION="${PROJECT_VERSION}")
 target_link_libraries(hooke_program PUBLIC hooke_scene_file hooke_writers
                                     PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
-# Pictures are made or, where their libraries are absent, refused with a word on what to install.
+# Pictures and the viewer are there or, where their libraries are absent, refused with a word on what to install.
 if(HOOKE_HAS_PICTURES)
-  target_sources(hooke_program PRIVATE program/pictures.cpp)
-  target_link_libraries(hooke_program PRIVATE hooke_picture)
+  target_sources(hooke_program PRIVATE program/pictures.cpp program/view.cpp)
+  target_link_libraries(hooke_program PRIVATE hooke_viewer)
 else()
-  target_sources(hooke_program PRIVATE program/pictures_absent.cpp)
+  target_sources(hooke_program PRIVATE program/pictures_absent.cpp program/view_absent.cpp)
 endif()
 hooke_warnings(hooke_program)
 

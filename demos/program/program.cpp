@@ -13,6 +13,7 @@
 #include "program/exit_code.h"
 #include "program/plan.h"
 #include "program/run.h"
+#include "program/view.h"
 
 namespace hooke::program {
 namespace {
@@ -49,6 +50,12 @@ int parse_and_run(int argc, const char* const* argv) {
   run_command.footer(
       std::string("\nExample: hooke run curtain.json --seconds 2 --out frames --format vtp\n") + exit_codes);
 
+  ViewOptions view_options;
+  CLI::App& view_command = *app.add_subcommand(
+      "view", "Show a scene in a window while it is simulated: drag its particles, change how it is done.");
+  add_scene_options(view_command, arguments);
+  add_view_options(view_command, view_options);
+
   CLI::App& plan_command = *app.add_subcommand(
       "plan", "List the stages that each step of a scene runs: what each reads, writes and holds in memory.");
   add_scene_options(plan_command, arguments);
@@ -70,13 +77,14 @@ int parse_and_run(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())
-      throw CLI::RequiredError("give a command: run, plan, check or accuracy", CLI::ExitCodes::RequiredError);
+      throw CLI::RequiredError("give a command: run, view, plan, check or accuracy", CLI::ExitCodes::RequiredError);
   } catch (const CLI::ParseError& error) {
     return end_parse(app, error);
   }
   arguments.command = command_line(argc, argv);
   if (accuracy_command.parsed()) return accuracy(arguments, std::cout, std::cerr);
   if (run_command.parsed()) return run(arguments, std::cout, std::cerr);
+  if (view_command.parsed()) return view(arguments, view_options, std::cout, std::cerr);
   if (plan_command.parsed()) return plan(arguments, std::cout);
   return check(arguments, std::cout, std::cerr);
 }

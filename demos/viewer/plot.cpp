@@ -9,7 +9,7 @@ std::vector<double> multiples(double low, double high, double spacing) {
   std::vector<double> values;
   const double slack = 1e-9 * spacing;
   for (double k = std::ceil((low - slack) / spacing); k * spacing <= high + slack; k += 1.0)
-    values.push_back(k * spacing);
+    values.push_back(k * spacing + 0.0);  // no zero with a sign
   return values;
 }
 

@@ -15,7 +15,7 @@ using Colour = std::array<std::uint8_t, 3>;
 struct Axis {
   double low = 0.0, high = 1.0;
   bool logarithmic = false;
-  std::string label;
+  std::string label = {};
 
   /// Where a value lies between low (0) and high (1).
   double place(double value) const;
@@ -24,7 +24,7 @@ struct Axis {
 enum class Marker { none, circle, square, diamond, triangle, cross, plus, ring, nabla };
 
 struct Curve {
-  std::string label;
+  std::string label = {};
   Colour colour{};
   Marker marker = Marker::none;
   std::vector<double> x, y;           ///< joined by lines; a value that is not finite makes a gap
@@ -34,7 +34,7 @@ struct Curve {
 /// A line across the plot at a value of x, with a word at its top.
 struct Mark {
   double x = 0.0;
-  std::string label;
+  std::string label = {};
 };
 
 struct Plot {

@@ -13,6 +13,12 @@ std::string number(double value, int digits) {
   return text.data();
 }
 
+std::string grouped(std::size_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, " ");
+  return text;
+}
+
 std::string quantity(double value, std::string_view unit) {
   constexpr std::array prefixes{"p", "n", "\u00b5", "m", "", "k", "M", "G", "T"};
   constexpr int none = 4;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,5 +11,8 @@ std::string quantity(double value, std::string_view unit);
 
 /// A number with so many digits that count, and no more zeros than it needs: "0.25", "1e-05".
 std::string number(double value, int digits = 3);
+
+/// Every digit of it, with a space between thousands: "65 536".
+std::string grouped(std::size_t count);
 
 }  // namespace hooke::viewer

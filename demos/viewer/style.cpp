@@ -5,8 +5,8 @@ namespace {
 
 void set_sizes(ImGuiStyle& style) {
   style.WindowPadding = {14.0f, 12.0f};
-  style.FramePadding = {8.0f, 4.0f};
-  style.ItemSpacing = {8.0f, 6.0f};
+  style.FramePadding = {8.0f, 3.5f};
+  style.ItemSpacing = {8.0f, 5.0f};
   style.ItemInnerSpacing = {6.0f, 4.0f};
   style.ScrollbarSize = 11.0f;
   style.GrabMinSize = 10.0f;

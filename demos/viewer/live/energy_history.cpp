@@ -14,15 +14,22 @@ void thin_out(std::vector<Measurement>& samples) {
 
 }  // namespace
 
+void EnergyHistory::add(const std::vector<Measurement>& measurements) {
+  for (const Measurement& measurement : measurements) {
+    if (measurement.number <= last_number_) continue;
+    last_number_ = measurement.number;
+    add(measurement);
+  }
+}
+
 void EnergyHistory::add(const Measurement& measurement) {
-  if (measurement.number == last_number_) return;
-  last_number_ = measurement.number;
   if (!samples_.empty() && measurement.time < samples_.back().time) {
     samples_.clear();
     spacing_ = 0.0;
   }
   // The newest sample is always kept; the one before makes room where the two are too near.
-  const bool crowded = samples_.size() > 1 && measurement.time - samples_[samples_.size() - 2].time < spacing_;
+  const bool crowded =
+      samples_.size() > 1 && measurement.time - samples_[samples_.size() - 2].time < spacing_;
   const bool same_time = !samples_.empty() && measurement.time == samples_.back().time;
   if (crowded || same_time) samples_.pop_back();
   samples_.push_back(measurement);

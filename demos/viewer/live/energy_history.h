@@ -10,12 +10,14 @@ namespace hooke::viewer {
 /// whole run stays in sight.
 class EnergyHistory {
  public:
-  /// Adds what is new. A time before the last one means that the run was reset: it begins anew.
-  void add(const Measurement& measurement);
+  /// Adds those that are new. A time before the last one means that the run was reset: it begins anew.
+  void add(const std::vector<Measurement>& measurements);
 
   const std::vector<Measurement>& samples() const { return samples_; }
 
  private:
+  void add(const Measurement& measurement);
+
   std::vector<Measurement> samples_;
   std::uint64_t last_number_ = 0;
   double spacing_ = 0.0;  // [s] of simulated time between two samples at least

@@ -49,7 +49,7 @@ struct Moment {
   bool running = false;
   double speed = 1.0;  ///< that is asked for [1]
   Speeds speeds;
-  Measurement measurement;
+  std::vector<Measurement> measurements;  ///< the newest last, and so many before it that none is missed
   std::shared_ptr<const InForce> in_force;
   std::string problem;  ///< why the run stopped, and what to do; empty: it did not
   std::string refusal;  ///< why the last change was not made; empty: it was

@@ -29,10 +29,7 @@ std::vector<std::string> sweeps_of(const Plan& plan) {
 template <class Real>
 SimulationLoop<Real>::SimulationLoop(Scene scene, Settings settings, const Rhythm& rhythm,
                                      CommandQueue& commands, TripleBuffer<Moment>& moments)
-    : rhythm_(rhythm),
-      commands_(commands),
-      moments_(moments),
-      live_(std::move(scene), std::move(settings)) {
+    : rhythm_(rhythm), commands_(commands), moments_(moments), live_(std::move(scene), std::move(settings)) {
   describe();
   publish(wall_time());
 }
@@ -218,15 +215,18 @@ void SimulationLoop<Real>::publish(double now) {
   changed_ = false;
   const double seconds = wall_time() - now;
   rates_.add_publishing(seconds);
-  publish_at_ = now + std::clamp(seconds / most_share, rhythm_.publish_every, std::max(0.25, rhythm_.publish_every));
+  publish_at_ =
+      now + std::clamp(seconds / most_share, rhythm_.publish_every, std::max(0.25, rhythm_.publish_every));
 }
 
 template <class Real>
 void SimulationLoop<Real>::measure(double now) {
   constexpr double most_share = 0.01;  // of the thread's time
   const Simulation<Real>& simulation = live_.simulation();
-  now_.measurement = {now_.measurement.number + 1, simulation.time(), simulation.energy(),
-                      simulation.max_strain()};
+  constexpr std::size_t most_kept = 32;  // for windows that draw less often than this measures
+  std::vector<Measurement>& kept = now_.measurements;
+  if (kept.size() == most_kept) kept.erase(kept.begin());
+  kept.push_back({++measured_count_, simulation.time(), simulation.energy(), simulation.max_strain()});
   measured_ = true;
   const double seconds = wall_time() - now;
   measure_at_ = now + std::max(rhythm_.measure_every, seconds / most_share);

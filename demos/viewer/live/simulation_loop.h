@@ -59,12 +59,13 @@ class SimulationLoop {
   Moment now_;  // all but the positions
   Pace pace_;
   Rates rates_;
-  Setup wanted_;                     // the last of the changes that came together
+  Setup wanted_;  // the last of the changes that came together
   bool change_wanted_ = false;
-  double seconds_per_step_ = 0.0;    // [s] of the last batch
+  double seconds_per_step_ = 0.0;  // [s] of the last batch
   std::uint64_t last_batch_ = 1;
-  bool changed_ = true;              // since it was published
-  bool measured_ = false;            // the newest state
+  bool changed_ = true;  // since it was published
+  std::uint64_t measured_count_ = 0;
+  bool measured_ = false;                       // the newest state
   double publish_at_ = 0.0, measure_at_ = 0.0;  // [s] of wall time, at the earliest
 };
 
