@@ -50,8 +50,7 @@ void CameraControl::orbit(const Eigen::Vector2d& moved, const Viewport& viewport
 }
 
 void CameraControl::pan(const Eigen::Vector2d& moved, const Viewport& viewport) {
-  goal_.target +=
-      metres_per_pixel(goal_, viewport) * (moved.y() * goal_.over() - moved.x() * goal_.right());
+  goal_.target += metres_per_pixel(goal_, viewport) * (moved.y() * goal_.over() - moved.x() * goal_.right());
   follows_ = false;
 }
 

@@ -56,7 +56,7 @@ void Mouse::move(State& state) {
   const Eigen::Vector2d moved = pixel_ - last_;
   if (doing_ == Doing::drag) {
     state.simulation.send(
-        Drag{*dragged_, point_under(state.view.camera().camera(), viewport, pixel_, depth_)});
+        Pull{*dragged_, point_under(state.view.camera().camera(), viewport, pixel_, depth_)});
   } else if (moved.isZero()) {
     return;
   } else if (doing_ == Doing::orbit) {

@@ -53,7 +53,8 @@ std::optional<Index> pick(std::span<const float> positions, const std::vector<bo
   for (std::size_t i = 0; 3 * i < positions.size(); ++i) {
     if (fixed[i]) continue;
     Eigen::Vector2d at;
-    const double depth = projector.project({positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}, at);
+    const double depth =
+        projector.project({positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}, at);
     if (!(depth > 0.0)) continue;
     const double distance = (at - pixel).norm();
     if (!(distance <= radius)) continue;

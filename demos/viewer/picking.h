@@ -11,9 +11,9 @@
 
 namespace hooke::viewer {
 
-/// The particle that is meant by a place on the screen [pixels]: of those within `radius` [pixels] the nearest
-/// one on the screen, but none that lies far behind another of them. `fixed` says which particles cannot be
-/// meant; positions are x, y, z of each [m].
+/// The particle that is meant by a place on the screen [pixels]: of those within `radius` [pixels] the
+/// nearest one on the screen, but none that lies far behind another of them. `fixed` says which particles
+/// cannot be meant; positions are x, y, z of each [m].
 std::optional<Index> pick(std::span<const float> positions, const std::vector<bool>& fixed,
                           const picture::Camera& camera, const Viewport& viewport,
                           const Eigen::Vector2d& pixel, double radius);

@@ -27,7 +27,7 @@ struct Curve {
   std::string label = {};
   Colour colour{};
   Marker marker = Marker::none;
-  std::vector<double> x, y;           ///< joined by lines; a value that is not finite makes a gap
+  std::vector<double> x, y;  ///< joined by lines; a value that is not finite makes a gap
   std::vector<double> single_x = {}, single_y = {};  ///< further points, joined to nothing
 };
 

@@ -21,7 +21,8 @@ std::string last_glfw_error() {
 }
 
 constexpr const char* remedy =
-    "; `hooke view` needs a display that draws with OpenGL 3.3; hooke run --picture FILE.png draws without one";
+    "; `hooke view` needs a display that draws with OpenGL 3.3; hooke run --picture FILE.png draws without "
+    "one";
 
 Window& window_of(GLFWwindow* handle) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(handle));
@@ -81,9 +82,12 @@ void Window::listen() {
     if (action != GLFW_RELEASE && !gives_character) window_of(handle).keys_.push_back({0, key});
     window_of(handle).activity_ = true;
   });
-  glfwSetCursorPosCallback(window_, [](GLFWwindow* handle, double, double) { window_of(handle).activity_ = true; });
-  glfwSetMouseButtonCallback(window_, [](GLFWwindow* handle, int, int, int) { window_of(handle).activity_ = true; });
-  glfwSetScrollCallback(window_, [](GLFWwindow* handle, double, double) { window_of(handle).activity_ = true; });
+  glfwSetCursorPosCallback(window_,
+                           [](GLFWwindow* handle, double, double) { window_of(handle).activity_ = true; });
+  glfwSetMouseButtonCallback(window_,
+                             [](GLFWwindow* handle, int, int, int) { window_of(handle).activity_ = true; });
+  glfwSetScrollCallback(window_,
+                        [](GLFWwindow* handle, double, double) { window_of(handle).activity_ = true; });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* handle) { window_of(handle).activity_ = true; });
 }
 
@@ -145,7 +149,8 @@ picture::Image Window::image() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
   glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   for (int row = 0; row < image.height; ++row) {  // OpenGL counts rows from below
-    const std::uint8_t* from = rgba.data() + 4 * std::size_t(image.height - 1 - row) * std::size_t(image.width);
+    const std::uint8_t* from =
+        rgba.data() + 4 * std::size_t(image.height - 1 - row) * std::size_t(image.width);
     std::uint8_t* to = image.pixel(0, row);
     for (int column = 0; column < image.width; ++column, from += 4, to += 3) std::copy_n(from, 3, to);
   }

@@ -29,13 +29,13 @@ struct Change {
 };
 
 /// Pulls a particle towards a place [m], from now until Release.
-struct Drag {
+struct Pull {
   Index particle = 0;
   Vec3 target = Vec3::Zero();
 };
 
 struct Release {};
 
-using Command = std::variant<SetRunning, StepOnce, Reset, SetSpeed, Change, Drag, Release>;
+using Command = std::variant<SetRunning, StepOnce, Reset, SetSpeed, Change, Pull, Release>;
 
 }  // namespace hooke::viewer

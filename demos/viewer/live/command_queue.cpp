@@ -10,8 +10,8 @@ void CommandQueue::push(Command command) {
   {
     const std::lock_guard lock(mutex_);
     // The mouse moves more often than steps are taken; only where it is now matters.
-    const bool moves_on = std::holds_alternative<Drag>(command) && !commands_.empty() &&
-                          std::holds_alternative<Drag>(commands_.back());
+    const bool moves_on = std::holds_alternative<Pull>(command) && !commands_.empty() &&
+                          std::holds_alternative<Pull>(commands_.back());
     if (moves_on) {
       commands_.back() = std::move(command);
     } else {

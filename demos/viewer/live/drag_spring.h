@@ -10,11 +10,11 @@ struct DragSpring {
   double damping = 0.0;    ///< c [N s/m], >= 0
 };
 
-/// A spring for one particle of a scene, of `mass` m [kg], and steps of h = `step` [s]. Stretched by a quarter
-/// of the scene's size L it pulls with twice the weight of all that moves, M g: k = 8 M g / L. Its damping is
-/// critical for a mass between that of the particle alone and that of all: c = 2 sqrt(k sqrt(m M)).
-/// Neither may change the particle's speed by more than a few per cent in one step (h^2 k <= m / 50,
-/// h c <= m / 20), so that a scene whose steps are near their limit stays stable. Where a method chooses its
+/// A spring for one particle of a scene, of `mass` m [kg], and steps of h = `step` [s]. Stretched by a
+/// quarter of the scene's size L it pulls with twice the weight of all that moves, M g: k = 8 M g / L. Its
+/// damping is critical for a mass between that of the particle alone and that of all: c = 2 sqrt(k sqrt(m
+/// M)). Neither may change the particle's speed by more than a few per cent in one step (h^2 k <= m / 50, h c
+/// <= m / 20), so that a scene whose steps are near their limit stays stable. Where a method chooses its
 /// steps, `step` is 0 and nothing is held back.
 DragSpring drag_spring(const Scene& scene, double mass, double step);
 

@@ -18,11 +18,11 @@ void EnergyHistory::add(const std::vector<Measurement>& measurements) {
   for (const Measurement& measurement : measurements) {
     if (measurement.number <= last_number_) continue;
     last_number_ = measurement.number;
-    add(measurement);
+    append(measurement);
   }
 }
 
-void EnergyHistory::add(const Measurement& measurement) {
+void EnergyHistory::append(const Measurement& measurement) {
   if (!samples_.empty() && measurement.time < samples_.back().time) {
     samples_.clear();
     spacing_ = 0.0;

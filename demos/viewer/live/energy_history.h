@@ -16,7 +16,7 @@ class EnergyHistory {
   const std::vector<Measurement>& samples() const { return samples_; }
 
  private:
-  void add(const Measurement& measurement);
+  void append(const Measurement& measurement);
 
   std::vector<Measurement> samples_;
   std::uint64_t last_number_ = 0;

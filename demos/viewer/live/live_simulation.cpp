@@ -40,7 +40,7 @@ void LiveSimulation<Real>::reset() {
 }
 
 template <class Real>
-void LiveSimulation<Real>::drag(const Drag& drag) {
+void LiveSimulation<Real>::drag(const Pull& drag) {
   if (drag.particle >= scene_.particles.size())
     throw std::out_of_range("drag: there is no particle " + std::to_string(drag.particle));
   drag_ = drag;
@@ -54,9 +54,9 @@ void LiveSimulation<Real>::pull() {
   const StateView<Real> state = simulation_.state();
   const Index i = simulation_.engine_index(drag_->particle);
   const Vec3 position = at(state.x, state.y, state.z, i), velocity = at(state.vx, state.vy, state.vz, i);
-  simulation_.apply_impulse(
-      drag_->particle, drag_impulse(spring_, scene_.particles.mass[drag_->particle],
-                                    simulation_.settings().step, drag_->target - position, velocity));
+  simulation_.apply_impulse(drag_->particle,
+                            drag_impulse(spring_, scene_.particles.mass[drag_->particle],
+                                         simulation_.settings().step, drag_->target - position, velocity));
 }
 
 template <class Real>

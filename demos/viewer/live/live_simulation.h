@@ -26,7 +26,7 @@ class LiveSimulation {
   /// Back to the state at the start.
   void reset();
 
-  void drag(const Drag& drag);
+  void drag(const Pull& drag);
   void release() { drag_.reset(); }
 
   /// Takes `count` steps, fewer if one goes bad, and adds to `work` what they took.
@@ -41,7 +41,7 @@ class LiveSimulation {
   Scene scene_;
   Simulation<Real> simulation_;
   Snapshot<Real> start_;
-  std::optional<Drag> drag_;
+  std::optional<Pull> drag_;
   DragSpring spring_;  // of the drag
 };
 

@@ -13,7 +13,7 @@ class Rates {
   /// Forgets everything: from here on at this wall time [s] and simulated time [s].
   void start(double now, double simulated);
 
-  void add_steps(const Work& work, double seconds);           ///< [s] of wall time that the steps took
+  void add_steps(const Work& work, double seconds);  ///< [s] of wall time that the steps took
   void add_publishing(double seconds) { publishing_ += seconds; }
 
   /// The newest figures, at this wall time [s] and simulated time [s], for a scene of so many springs.

@@ -48,9 +48,9 @@ void SimulationLoop<Real>::run() {
 template <class Real>
 double SimulationLoop<Real>::idle_seconds(double now) const {
   double idle = std::numeric_limits<double>::infinity();
-  if (changed_ || !measured_) idle = std::max(0.0, publish_at_ - now);
+  if (changed_ || !measured_) idle = std::max(0.0, next_publishing() - now);
   if (now_.running) idle = std::min(idle, seconds_to_next_steps());
-  if (now_.running && interpolates()) idle = std::min(idle, std::max(0.0, publish_at_ - now));
+  if (now_.running && interpolates()) idle = std::min(idle, std::max(0.0, next_publishing() - now));
   return idle;
 }
 
@@ -186,12 +186,18 @@ bool SimulationLoop<Real>::interpolates() const {
   return live_.simulation().settings().step > 0.5 * rhythm_.publish_every * now_.speed;
 }
 
+/// Wall time [s]. A simulation that is paused loses nothing by showing what was done to it at once.
+template <class Real>
+double SimulationLoop<Real>::next_publishing() const {
+  return now_.running ? publish_at_ : 0.0;
+}
+
 template <class Real>
 void SimulationLoop<Real>::publish_if_due() {
   const bool moves = now_.running && interpolates();
   if (!changed_ && measured_ && !moves) return;
   const double now = wall_time();
-  if (now < publish_at_) return;
+  if (now < next_publishing()) return;
   publish(now);
 }
 

@@ -34,7 +34,7 @@ class SimulationLoop {
   void obey(const Reset&);
   void obey(const SetSpeed& command);
   void obey(const Change& command);
-  void obey(const Drag& command) { live_.drag(command); }
+  void obey(const Pull& command) { live_.drag(command); }
   void obey(const Release&) { live_.release(); }
 
   void change(const Setup& setup);
@@ -48,6 +48,7 @@ class SimulationLoop {
   void take_steps(std::uint64_t count);
 
   bool interpolates() const;
+  double next_publishing() const;
   void publish_if_due();
   void publish(double now);
   void measure(double now);

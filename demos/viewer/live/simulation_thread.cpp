@@ -18,7 +18,8 @@ std::thread started(Scene scene, Settings settings, const Rhythm& rhythm, Comman
 
 }  // namespace
 
-SimulationThread::SimulationThread(Scene scene, Settings settings, Precision precision, const Rhythm& rhythm) {
+SimulationThread::SimulationThread(Scene scene, Settings settings, Precision precision,
+                                   const Rhythm& rhythm) {
   const auto start = precision == Precision::single ? started<float> : started<double>;
   thread_ = start(std::move(scene), std::move(settings), rhythm, commands_, moments_);
   moments_.fetch();

@@ -20,7 +20,8 @@ enum class Precision { single, twofold };
 class SimulationThread {
  public:
   /// Compiles the scene. Throws as Simulation does.
-  SimulationThread(Scene scene, Settings settings, Precision precision = Precision::single, const Rhythm& rhythm = {});
+  SimulationThread(Scene scene, Settings settings, Precision precision = Precision::single,
+                   const Rhythm& rhythm = {});
   /// Ends within a batch of steps, about 5 ms, or one step where that takes longer.
   ~SimulationThread();
   SimulationThread(const SimulationThread&) = delete;

@@ -8,7 +8,13 @@
 namespace hooke::viewer {
 
 bool chooses_steps(const Method& method) {
-  return std::visit([](const auto& one) { return requires { one.tolerance; }; }, method);
+  return std::visit(
+      [](const auto& one) {
+        return requires {
+          one.tolerance;
+        };
+      },
+      method);
 }
 
 std::optional<StepLimit> step_limit(const Scene& scene, const Method& method) {

@@ -5,9 +5,9 @@
 
 namespace hooke::viewer {
 
-/// Hands the newest of many values from one thread to another; neither ever waits. The writer fills back() and
-/// publishes it; the reader fetches what was published last and reads front(). What was published in between
-/// is passed over.
+/// Hands the newest of many values from one thread to another; neither ever waits. The writer fills back()
+/// and publishes it; the reader fetches what was published last and reads front(). What was published in
+/// between is passed over.
 template <class T>
 class TripleBuffer {
  public:

@@ -22,7 +22,8 @@ void help_window(State& state, float left) {
   if (!state.help) return;
   const ImVec2 all = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({left + 0.5f * (all.x - left), 0.5f * all.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  const int flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
+  const int flags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
   if (ImGui::Begin("help", nullptr, flags)) {
     for (const MouseHint& hint : mouse_hints()) line(hint.how, hint.what);
     ImGui::Separator();

@@ -15,8 +15,9 @@ namespace {
 
 void show_progress(State& state) {
   const double share = state.study.running->share();
-  remark("Every method at many steps, each against a reference that is checked by a second one. The "
-         "simulation stands still meanwhile, so that the times are right.");
+  remark(
+      "Every method at many steps, each against a reference that is checked by a second one. The "
+      "simulation stands still meanwhile, so that the times are right.");
   bar(share, palette::accent, "studying " + number(state.study.seconds) + " s of the scene",
       number(100.0 * share, 2) + " %");
   if (ImGui::Button("Cancel")) close_study(state);
@@ -53,8 +54,8 @@ void study_window(State& state, float left) {
   const float width = std::min(46.0f * font, room - 2.0f * font);
   ImGui::SetNextWindowPos({left + 0.5f * room, 0.5f * all.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, all.y - 2.0f * font});
-  const int flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                    ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar;
+  const int flags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
+                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoTitleBar;
   if (ImGui::Begin("study", nullptr, flags)) {
     ImGui::TextUnformatted("What would more accuracy cost?");
     ImGui::Separator();

@@ -1,0 +1,77 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "scenes.h"
+#include "viewer/live_run.h"
+
+namespace hooke::viewer {
+namespace {
+
+constexpr Rhythm never{1e9, 1e9};
+
+/// Steps each second of wall time, as fast as the thread can, for half a second.
+double steps_per_second(SimulationThread& thread) {
+  using Clock = std::chrono::steady_clock;
+  thread.send(SetSpeed{256.0});
+  thread.send(SetRunning{true});
+  const auto start = Clock::now();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  thread.send(SetRunning{false});
+  thread.send(StepOnce{});  // a state is shown at the end, however seldom that is done
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  REQUIRE(test::wait_until(thread, [](const Moment& moment) { return !moment.running && moment.steps > 0; }));
+  return double(thread.moment().steps) / seconds;
+}
+
+Settings settings_for_cloth() {
+  Settings settings;
+  settings.step = 5e-4;
+  settings.threads = 1;
+  return settings;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+}  // namespace
+
+TEST_CASE("showing its state at 60 Hz takes under 5 % of a simulation's time") {
+  SimulationThread thread(test::hung_cloth(256, 256), settings_for_cloth());
+  thread.send(SetSpeed{256.0});
+  thread.send(SetRunning{true});
+  std::vector<double> shares;
+  double last_time = 0.0;
+  while (shares.size() < 7) {
+    REQUIRE(test::wait_until(thread, [&](const Moment& moment) {
+      return moment.speeds.publishing > 0.0 && moment.time > last_time + 0.02;
+    }));
+    last_time = thread.moment().time;
+    shares.push_back(thread.moment().speeds.publishing);
+  }
+  MESSAGE("256 x 256 cloth: showing the state takes " << 100.0 * median(shares) << " % of the thread's time");
+  CHECK(median(shares) < 0.05);
+}
+
+// A comparison of speeds tells something on an idle machine only: test_viewer --no-skip -tc="*on against
+// off*"
+TEST_CASE("showing the state, on against off" * doctest::skip()) {
+  const Scene scene = test::hung_cloth(256, 256);
+  std::vector<double> ratios;
+  for (int i = 0; i < 9; ++i) {
+    SimulationThread shown(scene, settings_for_cloth()),
+        hidden(scene, settings_for_cloth(), Precision::single, never);
+    const double with = steps_per_second(shown), without = steps_per_second(hidden);
+    ratios.push_back(with / without);
+  }
+  MESSAGE("256 x 256 cloth: with its state shown, " << 100.0 * median(ratios)
+                                                    << " % of the steps each second");
+  CHECK(median(ratios) > 0.95);
+}
+
+}  // namespace hooke::viewer
