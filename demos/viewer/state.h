@@ -16,6 +16,7 @@ namespace hooke::viewer {
 
 /// The study of accuracy, from the button to its plot.
 struct StudyState {
+  double budget = 10.0;                  ///< [s] of wall time
   double seconds = 2.0;                  ///< [s] of simulated time
   std::unique_ptr<StudyThread> running;  ///< also when it is done, as its result is shown
   bool shown = false;

@@ -3,8 +3,6 @@
 namespace hooke::viewer {
 namespace {
 
-constexpr double budget = 10.0;  // [s] of wall time
-
 void go_on(State& state) {
   if (state.study.resume) state.simulation.send(SetRunning{true});
   state.study.resume = false;
@@ -20,7 +18,7 @@ void open_study(State& state) {
 void start_study(State& state) {
   StudySettings settings;
   settings.horizon = state.study.seconds;
-  settings.budget = budget;
+  settings.budget = state.study.budget;
   settings.accumulation = state.wanted.settings.accumulation;
   settings.threads = state.wanted.settings.threads;
   settings.executor = state.wanted.settings.executor;

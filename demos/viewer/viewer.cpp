@@ -38,6 +38,7 @@ struct Viewer::Parts {
               {settings.scene, settings.settings, settings.precision},
               SceneView(settings.scene),
               {settings.settings, settings.scene.effects}} {
+    state.study.budget = settings.study_budget;
     state.study.seconds = std::min(settings.seconds, state.study.seconds);
     state.view.take(state.moment());
   }

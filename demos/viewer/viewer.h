@@ -21,6 +21,7 @@ struct ViewSettings {
   Settings settings;
   Precision precision = Precision::single;
   double seconds = 2.0;            ///< [s] of simulated time that a study of accuracy is to cover
+  double study_budget = 10.0;      ///< [s] of wall time for it
   int width = 1440, height = 900;  ///< of the window [units of the mouse]
   bool debug = false;              ///< OpenGL reports what it does not like
 };

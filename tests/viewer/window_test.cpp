@@ -31,6 +31,7 @@ ViewSettings small_view() {
   settings.settings.step = 5e-4;
   settings.settings.threads = 2;
   settings.seconds = 0.5;
+  settings.study_budget = 1.5;
   settings.width = 1000;
   settings.height = 760;
   settings.debug = true;
@@ -44,6 +45,8 @@ struct Session {
     viewer.emplace(small_view());
     REQUIRE(until([&] { return viewer->controls().find("pause").has_value(); }));
     hands->find_window();
+    hands->move(990, 750);  // where it points at nothing
+    frames(2);
   }
   ~Session() { CHECK(viewer->complaints() == std::vector<std::string>{}); }
 

@@ -203,7 +203,7 @@ void SimulationLoop<Real>::publish_if_due() {
 
 template <class Real>
 void SimulationLoop<Real>::publish(double now) {
-  constexpr double most_share = 0.04;  // of the thread's time
+  constexpr double most_share = 0.03;  // of the thread's time
   if (!measured_ && (now >= measure_at_ || !now_.running)) measure(now);
   const Simulation<Real>& simulation = live_.simulation();
   const double step = simulation.settings().step;
