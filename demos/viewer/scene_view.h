@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <hooke/scene.h>
@@ -20,7 +21,7 @@ class SceneView {
   /// Keeps what is drawn of the scene, not the scene.
   explicit SceneView(const Scene& scene);
 
-  /// Takes the newest state.
+  /// Takes the newest state, which must stay until the next is taken.
   void take(const Moment& moment);
   /// For ground planes that were moved.
   void take(const std::vector<Effect>& effects);
@@ -52,7 +53,7 @@ class SceneView {
   Floor floor_;
   Viewport viewport_;
   std::optional<picture::MultisampledTarget> target_;
-  std::vector<float> positions_;
+  std::span<const float> positions_;
   std::vector<bool> pinned_;
   bool fitted_ = false;
 };

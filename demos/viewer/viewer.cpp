@@ -52,6 +52,7 @@ struct Viewer::Parts {
   Interface interface;
   State state;
   Mouse mouse;
+  bool list_open = false;                    // such as that of the methods
   picture::Image* wanted_picture = nullptr;  // of the next frame
   double last_frame = wall_time();           // [s]
   double awake_until = last_frame + 1.0;     // [s]
@@ -71,7 +72,8 @@ void Viewer::Parts::wait() {
   constexpr double between_frames = 1.0 / 63.0, asleep = 1.0 / 20.0;
   if (window.take_activity()) awake_until = wall_time() + 0.5;
   const bool awake = wall_time() < awake_until || state.view.camera().moves() || mouse.drags();
-  const double due = last_frame + (awake ? between_frames : asleep);
+  const bool hidden = window.width() == 0;  // minimised: nothing is drawn
+  const double due = hidden ? wall_time() + asleep : last_frame + (awake ? between_frames : asleep);
   do {
     window.poll(std::max(0.0, due - wall_time()));
   } while (awake && wall_time() < due);
@@ -90,6 +92,7 @@ void Viewer::Parts::draw() {
   state.controls.begin_frame();
   const float left = column(state, interface);
   overlays(state, left);
+  list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   const double pixels = window.pixels_per_unit();
   const Eigen::Vector2d origin(std::round(left * pixels) / pixels, 0.0);
   draw_scene(left);
@@ -108,7 +111,8 @@ bool Viewer::frame() {
   p.wait();
   p.take_newest();
   const std::vector<KeyPress> keys = p.window.take_keys();
-  if (!ImGui::GetIO().WantTextInput) obey(keys, p.state);
+  const bool others_keys = ImGui::GetIO().WantTextInput || p.list_open;
+  if (!others_keys) obey(keys, p.state);
   tend_study(p.state);
   if (p.window.width() > 0 && p.window.height() > 0) {
     p.draw();

@@ -69,7 +69,6 @@ void method_panel(State& state) {
     changed = choose(state, "accumulation", accumulations, state.wanted.settings.accumulation) || changed;
   if (changed) state.change();
   stability_gauge(state);
-  if (!state.moment().refusal.empty()) coloured(palette::bad, state.moment().refusal);
   action_button(state, "What would more accuracy cost?", "study", Action::toggle_study,
                 ImGui::GetContentRegionAvail().x);
 }

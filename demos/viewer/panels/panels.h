@@ -24,7 +24,7 @@ void picture_panel(State& state);
 
 /// The study of accuracy, over the scene. `left` is where the scene begins; all in the units of the mouse.
 void study_window(State& state, float left);
-/// What went wrong, over the scene.
+/// Why the run stopped, or a change was not made, over the scene.
 void banner(State& state, float left);
 /// All shortcuts, over the scene.
 void help_window(State& state, float left);
