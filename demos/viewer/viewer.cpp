@@ -41,6 +41,7 @@ struct Viewer::Parts {
     state.study.budget = settings.study_budget;
     state.study.seconds = std::min(settings.seconds, state.study.seconds);
     state.view.take(state.moment());
+    state.energies.add(state.moment().measurements);
   }
 
   void take_newest();

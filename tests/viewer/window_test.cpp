@@ -25,13 +25,13 @@ Scene small_scene() {
   return scene;
 }
 
-ViewSettings small_view() {
+ViewSettings small_view(double study_budget) {
   ViewSettings settings;
   settings.scene = small_scene();
   settings.settings.step = 5e-4;
   settings.settings.threads = 2;
   settings.seconds = 0.5;
-  settings.study_budget = 1.5;
+  settings.study_budget = study_budget;
   settings.width = 1000;
   settings.height = 760;
   settings.debug = true;
@@ -40,9 +40,9 @@ ViewSettings small_view() {
 
 /// A viewer and somebody who uses it.
 struct Session {
-  Session() {
+  explicit Session(double study_budget = 1.0) {
     hands.emplace();
-    viewer.emplace(small_view());
+    viewer.emplace(small_view(study_budget));
     REQUIRE(until([&] { return viewer->controls().find("pause").has_value(); }));
     hands->find_window();
     hands->move(990, 750);  // where it points at nothing
@@ -112,7 +112,7 @@ TEST_CASE("without a display there is a message that says what to do") {
   unsetenv("DISPLAY");
   unsetenv("WAYLAND_DISPLAY");
   try {
-    Viewer viewer(small_view());
+    Viewer viewer(small_view(1.0));
     FAIL("a window was opened");
   } catch (const WindowError& error) {
     const std::string message = error.what();
@@ -275,25 +275,32 @@ TEST_CASE("a run that goes bad is told in the window, and can be reset there") {
   CHECK(session.until([&] { return session.moment().problem.empty() && session.moment().steps == 0; }));
 }
 
-TEST_CASE("the study of accuracy is run and shown in the window, and cancelled") {
+TEST_CASE("the study of accuracy is run and shown in the window") {
   if (!has_display()) return;
   Session session;
+  session.type("space");
+  session.click("study");
+  REQUIRE(session.until([&] { return session.viewer->controls().find("study/close").has_value(); }));
+  CHECK(session.until([&] { return session.moment().running; }));  // it stood still meanwhile
+  session.frames(3);
+  session.click("study/close");
+  CHECK(session.until([&] { return !session.viewer->controls().find("study/close"); }));
+}
+
+TEST_CASE("a study is cancelled in the window") {
+  if (!has_display()) return;
+  Session session(120.0);
   session.type("a");
   REQUIRE(session.until([&] { return session.viewer->controls().find("study/cancel").has_value(); }));
   session.frames(3);
   session.click("study/cancel");
   CHECK(session.until([&] { return !session.viewer->controls().find("study/cancel"); }));
   CHECK_FALSE(session.viewer->studies());
-  session.click("study");
-  REQUIRE(session.until([&] { return session.viewer->controls().find("study/close").has_value(); }));
-  session.frames(3);
-  session.click("study/close");
-  CHECK(session.until([&] { return !session.viewer->controls().find("study/close"); }));
 }
 
 TEST_CASE("closing the window ends it at once, in the middle of a run and of a study") {
   if (!has_display()) return;
-  std::optional<Session> session(std::in_place);
+  std::optional<Session> session(std::in_place, 120.0);
   session->type("space");
   session->type("a");
   REQUIRE(session->until([&] { return session->viewer->studies(); }));
@@ -304,6 +311,19 @@ TEST_CASE("closing the window ends it at once, in the middle of a run and of a s
   const auto start = std::chrono::steady_clock::now();
   session.reset();
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+}
+
+TEST_CASE("a change that is refused is told, and what was there goes on") {
+  if (!has_display()) return;
+  Session session;
+  const std::optional<Rectangle> place = session.viewer->controls().find("step length");
+  REQUIRE(place);
+  const double x = 0.5 * (place->left + place->right), y = 0.5 * (place->top + place->bottom);
+  session.press_and_release(x, y);
+  session.press_and_release(x, y);  // a double click: the number can be typed
+  for (const char* key : {"minus", "3", "Return"}) session.type(key);
+  CHECK(session.until([&] { return session.moment().refusal.find("step") != std::string::npos; }));
+  CHECK(session.moment().in_force->setup.settings.step == 5e-4);
 }
 
 TEST_CASE("Q closes it") {

@@ -3,7 +3,7 @@
 namespace hooke::viewer {
 
 void Rates::start(double now, double simulated) {
-  newest_ = Speeds{};
+  newest_.real_time_ratio = 0.0;
   clear(now, simulated);
 }
 

@@ -10,8 +10,10 @@ namespace hooke::viewer {
 /// Sums up what steps and publishing take, and says every quarter of a second how fast it goes.
 class Rates {
  public:
-  /// Forgets everything: from here on at this wall time [s] and simulated time [s].
+  /// Counts from here on, at this wall time [s] and simulated time [s].
   void start(double now, double simulated);
+  /// Forgets what a step took, as another method or other effects take something else.
+  void forget() { newest_ = Speeds{}; }
 
   void add_steps(const Work& work, double seconds);  ///< [s] of wall time that the steps took
   void add_publishing(double seconds) { publishing_ += seconds; }

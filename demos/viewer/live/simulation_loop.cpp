@@ -15,6 +15,12 @@ double wall_time() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// What something takes [s], by what it took before and took now. One time that was interrupted says little,
+/// so it counts for twice as much as before at most.
+double usual_cost(double before, double now) {
+  return before > 0.0 ? std::min(now, 2.0 * before) : now;
+}
+
 /// The names of a plan's sweeps, in their order.
 std::vector<std::string> sweeps_of(const Plan& plan) {
   std::vector<std::string> names;
@@ -115,6 +121,7 @@ void SimulationLoop<Real>::change(const Setup& setup) {
   try {
     live_.change(setup);
     describe();
+    rates_.forget();
     now_.problem.clear();
   } catch (const std::exception& error) {
     now_.refusal = error.what();
@@ -234,8 +241,8 @@ void SimulationLoop<Real>::measure(double now) {
   if (kept.size() == most_kept) kept.erase(kept.begin());
   kept.push_back({++measured_count_, simulation.time(), simulation.energy(), simulation.max_strain()});
   measured_ = true;
-  const double seconds = wall_time() - now;
-  measure_at_ = now + std::max(rhythm_.measure_every, seconds / most_share);
+  measure_cost_ = usual_cost(measure_cost_, wall_time() - now);
+  measure_at_ = now + std::max(rhythm_.measure_every, measure_cost_ / most_share);
 }
 
 template class SimulationLoop<float>;

@@ -66,8 +66,9 @@ class SimulationLoop {
   std::uint64_t last_batch_ = 1;
   bool changed_ = true;  // since it was published
   std::uint64_t measured_count_ = 0;
-  bool measured_ = false;                       // the newest state
-  double publish_at_ = 0.0, measure_at_ = 0.0;  // [s] of wall time, at the earliest
+  bool measured_ = false;                           // the newest state
+  double publish_cost_ = 0.0, measure_cost_ = 0.0;  // [s]
+  double publish_at_ = 0.0, measure_at_ = 0.0;      // [s] of wall time, at the earliest
 };
 
 extern template class SimulationLoop<float>;

@@ -60,8 +60,9 @@ void run_panel(State& state) {
                 static_cast<unsigned long long>(moment.steps));
   tell("time", time);
   tell_pace(moment);
-  if (moment.in_force->springs > 0 && moment.speeds.springs_per_second > 0.0)
-    tell("springs", quantity(moment.speeds.springs_per_second, "") + " each second");
+  const double springs = moment.speeds.springs_per_second;
+  if (moment.in_force->springs > 0)
+    tell("springs", springs > 0.0 ? quantity(springs, "") + " each second" : "");
 }
 
 }  // namespace hooke::viewer

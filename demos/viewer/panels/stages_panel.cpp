@@ -20,18 +20,20 @@ std::string stages_of(const Plan& plan, const std::string& sweep) {
 
 }  // namespace
 
+// It stays where it is while nothing is known yet, so that what is below it does not move.
 void stages_panel(State& state) {
-  const Moment& moment = state.moment();
-  const InForce& in_force = *moment.in_force;
-  const std::vector<double>& seconds = moment.speeds.sweeps;
-  if (seconds.size() != in_force.sweeps.size() || !section("Time of a step")) return;
-  const double all = std::max(moment.speeds.seconds_per_step, 1e-12);
-  for (std::size_t i = 0; i < seconds.size(); ++i) {
-    bar(seconds[i] / all, palette::accent, "sweep over " + in_force.sweeps[i], quantity(seconds[i], "s"));
+  if (!section("Time of a step")) return;
+  const InForce& in_force = *state.moment().in_force;
+  const Speeds& speeds = state.moment().speeds;
+  const bool known = speeds.sweeps.size() == in_force.sweeps.size();
+  for (std::size_t i = 0; i < in_force.sweeps.size(); ++i) {
+    const double seconds = known ? speeds.sweeps[i] : 0.0;
+    bar(known ? seconds / speeds.seconds_per_step : 0.0, palette::accent, "sweep over " + in_force.sweeps[i],
+        known ? quantity(seconds, "s") : "");
     remark(stages_of(in_force.plan, in_force.sweeps[i]));
   }
-  if (seconds.size() > 1) tell("whole step", quantity(all, "s"));
-  tell("showing it", number(100.0 * moment.speeds.publishing, 2) + " % of the thread's time");
+  if (in_force.sweeps.size() > 1) tell("whole step", known ? quantity(speeds.seconds_per_step, "s") : "");
+  tell("showing it", known ? number(100.0 * speeds.publishing, 2) + " % of the thread's time" : "");
 }
 
 }  // namespace hooke::viewer
