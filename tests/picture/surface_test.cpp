@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "drawing.h"
+#include "picture/light_direction.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -116,6 +117,22 @@ TEST_CASE("both sides are lit, in colours of their own") {
   const std::uint8_t* const back_pixel = pixel_at(other.image, back, Vec3(0.5, 0.5, 0));
   CHECK(front_pixel[2] > front_pixel[0] + 40);  // blue-green
   CHECK(back_pixel[0] > back_pixel[2] + 20);    // sand
+}
+
+TEST_CASE("each side is brighter where that side faces the light") {
+  if (!can_draw()) return;
+  const Vec3 to_light = direction_to_light(Vec3(0, 1, 0));
+  // Seen from the front, a square that leans back to the light, and one that leans forward, away from it.
+  for (const bool front : {true, false}) {
+    const auto leaning = [&](double angle) {
+      const Surface upright = turned(square(), front ? 0.0 : std::numbers::pi, Vec3(0, 1, 0));
+      const Surface surface = turned(upright, angle, Vec3(1, 0, 0));
+      const Camera camera = fitted({.azimuth = 0.0, .elevation = 0.0}, surface.positions, aspect);
+      return mean_brightness(drawn(surface, camera), covered(surface, camera));
+    };
+    CHECK(to_light.z() > 0.3);
+    CHECK(leaning(-0.8) > leaning(0.8) + 80.0);
+  }
 }
 
 TEST_CASE("a surface is brighter where it faces the light, and its shading is smooth") {
