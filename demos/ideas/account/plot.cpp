@@ -88,7 +88,8 @@ void plot(const std::filesystem::path& file, const std::string& settings, const 
   if (drawing == program::Drawing::no_gnuplot)
     throw picture::PictureError("no picture: there is no gnuplot. Install it (Debian: gnuplot-nox)");
   if (drawing == program::Drawing::failed)
-    throw picture::PictureError("no picture: gnuplot could not draw it");
+    throw picture::PictureError("no picture: gnuplot could not draw " + file.string() +
+                                ": can it be written?");
   std::printf("  picture: %s\n", file.c_str());
 }
 
