@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <set>
 #include <string>
 #include <thread>
@@ -30,6 +31,15 @@ const std::string curtain = std::string(HOOKE_SCENES) + "/curtain.json";
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+/// Waits until something is so, for as long as a slow machine may need.
+bool wait_until(const std::function<bool()>& condition) {
+  for (int tries = 0; tries < 6000; ++tries) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
 }
 
 bool can_draw() {
@@ -173,10 +183,11 @@ TEST_CASE("a movie has a picture for each frame, moves with its scene, and stand
 
 TEST_CASE("Ctrl-C ends a run, and its pictures show how far it came") {
   if (!can_make_movies()) return;
-  const TemporaryFolder folder;
+  const TemporaryFolder folder, frames;
   Process process({"run", curtain, "--seconds", "1e6", "--fps", "1", "--picture", (folder / "s.png").string(),
-                   "--sheet", "3x2", "--movie", (folder / "m.mp4").string(), "--size", "604x402"});
-  std::this_thread::sleep_for(std::chrono::seconds(2));
+                   "--sheet", "3x2", "--movie", (folder / "m.mp4").string(), "--size", "604x402", "--out",
+                   frames.path().string()});
+  REQUIRE(wait_until([&] { return frames.names().contains("curtain_0003.vtp"); }));
   process.send(SIGINT);
   const Outcome outcome = process.wait();
   CAPTURE(outcome.err);
@@ -197,10 +208,8 @@ TEST_CASE("Ctrl-C while a movie is drawn ends the movie early") {
   const std::filesystem::path partial = folder / "m.mp4.partial";
   Process process({"run", curtain, "--fps", "100", "--movie", (folder / "m.mp4").string(), "--report",
                    (folder / "r.json").string()});
-  for (int tries = 0; tries < 6000; ++tries) {  // until ffmpeg has begun to write
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    if (std::filesystem::exists(partial) && std::filesystem::file_size(partial) > 0) break;
-  }
+  REQUIRE(wait_until(
+      [&] { return std::filesystem::exists(partial) && std::filesystem::file_size(partial) > 0; }));
   process.send(SIGINT);
   const Outcome outcome = process.wait();
   CAPTURE(outcome.err);
