@@ -45,7 +45,7 @@ constexpr std::array hints{
     MouseHint{"Right or Shift drag", "move the view"},
     MouseHint{"Wheel", "nearer to what is under the mouse"},
     MouseHint{"Double click beside", "show all of the scene"},
-    MouseHint{"Drag a number", "change it; double click: type it"},
+    MouseHint{"Drag a number", "change it; Ctrl and a click: type it"},
 };
 
 unsigned lower_case(unsigned c) {

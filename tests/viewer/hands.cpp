@@ -45,13 +45,17 @@ void Hands::turn(unsigned long key, bool down) {
   XSync(display_, False);
 }
 
-void Hands::type(const std::string& key, bool shift) {
-  const KeySym symbol = XStringToKeysym(key.c_str()), shift_key = XStringToKeysym("Shift_L");
+void Hands::hold(const std::string& key, bool down) {
+  const KeySym symbol = XStringToKeysym(key.c_str());
   if (symbol == NoSymbol) throw std::runtime_error("there is no key " + key);
-  if (shift) turn(shift_key, true);
-  turn(symbol, true);
-  turn(symbol, false);
-  if (shift) turn(shift_key, false);
+  turn(symbol, down);
+}
+
+void Hands::type(const std::string& key, bool shift) {
+  if (shift) hold("Shift_L", true);
+  hold(key, true);
+  hold(key, false);
+  if (shift) hold("Shift_L", false);
 }
 
 void Hands::close_window() {

@@ -20,6 +20,8 @@ class Hands {
   void release(unsigned button);
   /// A key by the name that X gives it, such as "space" or "r"; with shift where its character needs it.
   void type(const std::string& key, bool shift = false);
+  /// Holds a key down, such as "Control_L", or lets it go.
+  void hold(const std::string& key, bool down);
   /// Asks the window that has the keyboard to close, as the cross in its frame does.
   void close_window();
   /// Where the window that has the keyboard begins on the screen [pixels].

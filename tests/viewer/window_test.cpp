@@ -316,11 +316,11 @@ TEST_CASE("closing the window ends it at once, in the middle of a run and of a s
 TEST_CASE("a change that is refused is told, and what was there goes on") {
   if (!has_display()) return;
   Session session;
-  const std::optional<Rectangle> place = session.viewer->controls().find("step length");
-  REQUIRE(place);
-  const double x = 0.5 * (place->left + place->right), y = 0.5 * (place->top + place->bottom);
-  session.press_and_release(x, y);
-  session.press_and_release(x, y);  // a double click: the number can be typed
+  session.hands->hold("Control_L", true);
+  session.frames(2);
+  session.click("step length");  // with Ctrl, the number can be typed
+  session.hands->hold("Control_L", false);
+  session.frames(2);
   for (const char* key : {"minus", "3", "Return"}) session.type(key);
   CHECK(session.until([&] { return session.moment().refusal.find("step") != std::string::npos; }));
   CHECK(session.moment().in_force->setup.settings.step == 5e-4);

@@ -228,8 +228,9 @@ void SimulationLoop<Real>::publish(double now) {
   changed_ = false;
   const double seconds = wall_time() - now;
   rates_.add_publishing(seconds);
-  publish_at_ =
-      now + std::clamp(seconds / most_share, rhythm_.publish_every, std::max(0.25, rhythm_.publish_every));
+  publish_cost_ = usual_cost(publish_cost_, seconds);
+  const double seldom = std::max(0.25, rhythm_.publish_every);
+  publish_at_ = now + std::clamp(publish_cost_ / most_share, rhythm_.publish_every, seldom);
 }
 
 template <class Real>
