@@ -52,7 +52,8 @@ TEST_CASE("help and version are given on request") {
   }
   const Outcome help = run_hooke({"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* word : {"run", "plan", "check", "accuracy", "Exit codes"}) CHECK(contains(help.out, word));
+  for (const char* word : {"run", "view", "plan", "check", "accuracy", "Exit codes"})
+    CHECK(contains(help.out, word));
   const Outcome version = run_hooke({"--version"});
   CHECK(version.exit_code == 0);
   CHECK(version.out == "hooke " HOOKE_VERSION "\n");
@@ -60,7 +61,7 @@ TEST_CASE("help and version are given on request") {
 
 TEST_CASE("bad arguments are refused with exit code 2 and named") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{}, "give a command: run, plan, check or accuracy"},
+      {{}, "give a command: run, view, plan, check or accuracy"},
       {{"fly"}, "fly"},
       {{"run"}, "scene"},
       {{"run", scene("spring"), "--wings", "2"}, "--wings"},
