@@ -39,6 +39,7 @@ void save_screenshot(viewer::Viewer& viewer, const std::filesystem::path& file) 
 
 int show(viewer::Viewer& viewer, const ViewOptions& options, std::ostream& out) {
   const Interruption interruption;
+  for (int i = 0; i < 2; ++i) viewer.frame();  // the first ones take long, and nothing is to be missed
   viewer.set_running(true);
   bool study = options.study;
   while (viewer.frame() && interruption.signal() == 0) {

@@ -38,6 +38,13 @@ void write(ImVec2 at, const std::string& text, const Colour& colour = palette::f
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), text_size(), at, ink(colour), text.c_str());
 }
 
+/// Powers of ten are told as such where their zeros would have to be counted.
+std::string tick_text(const Axis& axis, double value) {
+  const double power = std::round(std::log10(std::abs(value)));
+  if (!axis.logarithmic || std::abs(power) <= 3.0) return number(value);
+  return "1e" + number(power);
+}
+
 /// Upwards along the left edge: ImGui has no turned text, so its corners are turned after it is drawn.
 void write_upwards(ImVec2 centre, const std::string& text) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -63,17 +70,17 @@ void draw_x_ticks(const Plot& plot, const Area& area) {
   for (const double value : ticks(plot.x, most)) {
     const float x = std::floor(area.x(value)) + 0.5f;
     list.AddLine({x, area.left_top().y}, {x, area.right_bottom().y}, ink(palette::grid));
-    const std::string text = number(value);
+    const std::string text = tick_text(plot.x, value);
     write({x - 0.5f * size_of(text).x, area.right_bottom().y + 3.0f}, text);
   }
 }
 
-void draw_y_ticks(const Area& area, const std::vector<double>& values) {
+void draw_y_ticks(const Plot& plot, const Area& area, const std::vector<double>& values) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   for (const double value : values) {
     const float y = std::floor(area.y(value)) + 0.5f;
     list.AddLine({area.left_top().x, y}, {area.right_bottom().x, y}, ink(palette::grid));
-    const std::string text = number(value);
+    const std::string text = tick_text(plot.y, value);
     const ImVec2 size = size_of(text);
     write({area.left_top().x - size.x - 5.0f, y - 0.55f * size.y}, text);
   }
@@ -153,14 +160,14 @@ void draw_plot(const Plot& plot, float height) {
   const float line = 1.25f * text_size();
   const std::vector<double> y_values = ticks(plot.y, std::max(2, int(height / (2.2f * line))));
   float widest = 0.0f;
-  for (const double value : y_values) widest = std::max(widest, size_of(number(value)).x);
+  for (const double value : y_values) widest = std::max(widest, size_of(tick_text(plot.y, value)).x);
   const float above = plot.marks.empty() ? 4.0f : line + 4.0f;
   const Area area(plot, {at.x + line + widest + 8.0f, at.y + above},
                   {at.x + size.x - 0.8f * text_size(), at.y + size.y - 2.0f * line - 4.0f});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(area.left_top(), area.right_bottom(), ink(palette::plot_ground), 3.0f);
   draw_x_ticks(plot, area);
-  draw_y_ticks(area, y_values);
+  draw_y_ticks(plot, area, y_values);
   draw_marks(plot, area);
   const float reach = 2.0f * marker_size();  // markers on the edge are shown whole
   list.PushClipRect({area.left_top().x - reach, area.left_top().y - reach},

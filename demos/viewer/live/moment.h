@@ -27,7 +27,7 @@ struct Speeds {
   double springs_per_second = 0.0;  ///< spring forces [1/s], while steps are taken
   double seconds_per_step = 0.0;    ///< [s]
   std::vector<double> sweeps;       ///< [s] of each sweep of the plan in a step
-  double publishing = 0.0;          ///< share of the thread's time that goes into showing its state [1]
+  double publishing = 0.0;  ///< processor time that showing the state takes of the thread, a second [1]
 };
 
 /// What a simulation runs on, until something is changed.

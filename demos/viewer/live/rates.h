@@ -15,8 +15,8 @@ class Rates {
   /// Forgets what a step took, as another method or other effects take something else.
   void forget() { newest_ = Speeds{}; }
 
-  void add_steps(const Work& work, double seconds);  ///< [s] of wall time that the steps took
-  void add_publishing(double seconds) { publishing_ += seconds; }
+  void add_steps(const Work& work, double seconds);                ///< [s] of wall time that the steps took
+  void add_publishing(double seconds) { publishing_ += seconds; }  ///< [s] of the thread's processor time
 
   /// The newest figures, at this wall time [s] and simulated time [s], for a scene of so many springs.
   const Speeds& speeds(double now, double simulated, std::size_t springs);

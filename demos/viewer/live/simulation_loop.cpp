@@ -8,6 +8,8 @@
 #include <utility>
 #include <variant>
 
+#include <time.h>
+
 namespace hooke::viewer {
 namespace {
 
@@ -19,6 +21,13 @@ double wall_time() {
 /// so it counts for twice as much as before at most.
 double usual_cost(double before, double now) {
   return before > 0.0 ? std::min(now, 2.0 * before) : now;
+}
+
+/// Time [s] that this thread has had of a processor, so that others' work is not counted for its own.
+double thread_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 /// The names of a plan's sweeps, in their order.
@@ -211,6 +220,7 @@ void SimulationLoop<Real>::publish_if_due() {
 template <class Real>
 void SimulationLoop<Real>::publish(double now) {
   constexpr double most_share = 0.03;  // of the thread's time
+  const double begun = thread_time();
   if (!measured_ && (now >= measure_at_ || !now_.running)) measure(now);
   const Simulation<Real>& simulation = live_.simulation();
   const double step = simulation.settings().step;
@@ -226,9 +236,8 @@ void SimulationLoop<Real>::publish(double now) {
   moment.positions = std::move(positions);
   moments_.publish();
   changed_ = false;
-  const double seconds = wall_time() - now;
-  rates_.add_publishing(seconds);
-  publish_cost_ = usual_cost(publish_cost_, seconds);
+  rates_.add_publishing(thread_time() - begun);
+  publish_cost_ = usual_cost(publish_cost_, wall_time() - now);
   const double seldom = std::max(0.25, rhythm_.publish_every);
   publish_at_ = now + std::clamp(publish_cost_ / most_share, rhythm_.publish_every, seldom);
 }
