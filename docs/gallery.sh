@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Draws every picture of docs/gallery.md, and writes what the demos cost into its table.
+# Draws every picture of docs/gallery.md, writes what the demos cost into its table, and makes of six pictures the one
+# at the head of README.md (with ffmpeg).
 #
 #   docs/gallery.sh            with the demos of build/release
 #   docs/gallery.sh BUILD      with those of another build
@@ -29,6 +30,14 @@ for demo in $(grep -o 'bin/demos/[a-z_]*' "$docs/gallery.md" | sed 's#.*/##' | a
   echo "| \`$demo\` | $row |" >>"$table"
 done
 echo >>"$table"
+
+(
+  cd "$docs/pictures/gallery"
+  small='scale=480:270:flags=lanczos,setsar=1'
+  ffmpeg -y -loglevel error -i curtain.png -i rope_bridge.png -i thread_pool.png -i million_springs.png -i scene_editing.png \
+    -i game_loop.png -frames:v 1 -filter_complex "[0]$small[a];[1]$small[b];[2]$small[c];[3]$small[d];[4]$small[e];[5]$small[f];
+    [a][b][c]hstack=3[upper];[d][e][f]hstack=3[lower];[upper][lower]vstack" ../demos.png
+)
 
 # The table goes between the two marks.
 awk -v table="$table" '

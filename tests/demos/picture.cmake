@@ -1,9 +1,9 @@
 # Fails unless `program`, run with `arguments`, draws a PNG of 960 x 540 pixels to `picture`, or says what is missing for it; with
-# HOOKE_REQUIRE_PICTURES or CI=true in the environment it must draw.
+# HOOKE_REQUIRE_PICTURES in the environment it must draw.
 file(REMOVE ${picture})
 execute_process(COMMAND ${program} ${arguments} --picture ${picture} OUTPUT_VARIABLE said ERROR_VARIABLE error RESULT_VARIABLE code)
 set(required OFF)
-if(DEFINED ENV{HOOKE_REQUIRE_PICTURES} OR "$ENV{CI}" STREQUAL "true")
+if(DEFINED ENV{HOOKE_REQUIRE_PICTURES})
   set(required ON)
 endif()
 if(code EQUAL 1 AND NOT required AND error MATCHES "without a screen|there is no gnuplot|built without")

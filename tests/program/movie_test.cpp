@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include "optional.h"
 #include "picture/picture_error.h"
-#include "program/availability.h"
 #include "program/environment.h"
 #include "program/fake_ffmpeg.h"
 #include "program/files.h"

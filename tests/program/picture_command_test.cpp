@@ -10,7 +10,7 @@
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
 
-#include "program/availability.h"
+#include "optional.h"
 #include "program/environment.h"
 #include "program/fake_ffmpeg.h"
 #include "program/files.h"
