@@ -17,6 +17,7 @@
 #include "program/files.h"
 #include "program/gnuplot.h"
 #include "program/process.h"
+#include "text.h"
 
 /// What `hooke accuracy` makes of a study.
 
@@ -25,10 +26,6 @@ namespace {
 
 using nlohmann::json;
 using namespace hooke::test;
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 AccuracyRun run(const std::string& method, double step, double horizon, double error) {
   AccuracyRun result;

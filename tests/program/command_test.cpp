@@ -1,9 +1,6 @@
-#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
-#include <functional>
-#include <thread>
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +8,7 @@
 #include "program/files.h"
 #include "program/process.h"
 #include "program/vtp_file.h"
+#include "text.h"
 
 /// The hooke program as its users have it: a process with arguments, files and an exit code.
 
@@ -21,19 +19,6 @@ using nlohmann::json;
 
 std::string scene(const std::string& name) {
   return std::string(HOOKE_SCENES) + "/" + name + ".json";
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// Waits until something is so, for as long as a slow machine may need.
-bool wait_until(const std::function<bool()>& condition) {
-  for (int tries = 0; tries < 6000; ++tries) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
 }
 
 bool has_partial(const TemporaryFolder& folder) {

@@ -1,10 +1,7 @@
 #include <algorithm>
-#include <chrono>
 #include <csignal>
-#include <functional>
 #include <set>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -17,6 +14,7 @@
 #include "program/png_picture.h"
 #include "program/process.h"
 #include "program/video.h"
+#include "text.h"
 
 /// Pictures of a run as users of the program have them: files.
 
@@ -28,19 +26,6 @@ using picture::Image;
 using Names = std::set<std::string>;
 
 const std::string curtain = std::string(HOOKE_SCENES) + "/curtain.json";
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// Waits until something is so, for as long as a slow machine may need.
-bool wait_until(const std::function<bool()>& condition) {
-  for (int tries = 0; tries < 6000; ++tries) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
 
 bool can_draw() {
   const TemporaryFolder folder;

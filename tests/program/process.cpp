@@ -1,7 +1,9 @@
 #include "program/process.h"
 
+#include <chrono>
 #include <csignal>
 #include <stdexcept>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -54,6 +56,14 @@ Outcome Process::wait() {
   outcome.out = read_file(folder_ / "out");
   outcome.err = read_file(folder_ / "err");
   return outcome;
+}
+
+bool wait_until(const std::function<bool()>& condition) {
+  for (int tries = 0; tries < 6000; ++tries) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
 }
 
 Outcome run_hooke(const std::vector<std::string>& arguments) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ class Process {
   TemporaryFolder folder_;
   pid_t id_ = -1;
 };
+
+/// Waits until something is so, for as long as a slow machine may need.
+bool wait_until(const std::function<bool()>& condition);
 
 /// Runs the hooke program to its end.
 Outcome run_hooke(const std::vector<std::string>& arguments);

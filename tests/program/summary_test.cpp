@@ -1,4 +1,5 @@
 #include "program/summary.h"
+#include "text.h"
 
 #include <sstream>
 
@@ -11,10 +12,6 @@ std::string summary(const RunResult& result) {
   std::ostringstream out;
   print_summary(result, out);
   return out.str();
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 RunResult result_of(std::size_t springs, std::uint64_t steps) {

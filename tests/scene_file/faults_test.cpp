@@ -5,19 +5,13 @@
 
 #include "scene_file/json_reader.h"
 #include "scene_text.h"
+#include "text.h"
 
 using namespace hooke;
+using test::contains;
 using test::fault_of;
 using test::faults_of;
 using test::with;
-
-namespace {
-
-bool contains(std::string_view text, std::string_view part) {
-  return text.find(part) != text.npos;
-}
-
-}  // namespace
 
 TEST_CASE("text that is not JSON is refused with its line and column") {
   CHECK(fault_of("{\n  \"step\": 0.1,\n  oops\n}").starts_with("line 3, column 3: JSON syntax error"));

@@ -5,16 +5,14 @@
 #include <hooke/builders.h>
 
 #include "scene_text.h"
+#include "text.h"
 
 using namespace hooke;
+using test::contains;
 using test::fault_of;
 using test::with;
 
 namespace {
-
-bool contains(std::string_view text, std::string_view part) {
-  return text.find(part) != text.npos;
-}
 
 std::vector<Index> pinned(const SceneFile& file) {
   std::vector<Index> particles;

@@ -8,14 +8,12 @@
 #include <hooke/hooke.h>
 
 #include "scenes.h"
+#include "text.h"
 
 using namespace hooke;
+using hooke::test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// A small cloth hung by two corners, for a time in which it does not fold.
 AccuracyStudy study_of_cloth() {

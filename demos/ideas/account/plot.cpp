@@ -1,37 +1,15 @@
 #include "ideas/account/plot.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include "picture/picture_error.h"
 #include "program/gnuplot.h"
+#include "writers/temporary_folder.h"
 
 namespace hooke::ideas {
 namespace {
-
-/// An empty folder that is removed with all that is in it.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hooke_plot_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw picture::PictureError("no picture: cannot make the folder " + name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// Colours and lines of every plot.
 constexpr const char* head =
