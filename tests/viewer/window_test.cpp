@@ -11,6 +11,7 @@
 #include "picture/png_file.h"
 #include "scenes.h"
 #include "viewer/hands.h"
+#include "viewer/loaded_libraries.h"
 #include "viewer/viewer.h"
 #include "viewer/virtual_display.h"
 #include "viewer/window_error.h"
@@ -44,6 +45,7 @@ struct Session {
   explicit Session(double study_budget = 1.0) {
     hands.emplace();
     viewer.emplace(small_view(study_budget));
+    test::keep_loaded_libraries();
     REQUIRE(until([&] { return viewer->controls().find("pause").has_value(); }));
     hands->find_window();
     hands->move(990, 750);  // where it points at nothing
