@@ -14,6 +14,7 @@
 namespace hooke::program {
 namespace {
 
+using test::names_in;
 using test::read_file;
 using test::TemporaryFolder;
 
@@ -65,7 +66,7 @@ TEST_CASE("a program that is not waited for is ended") {
     ChildProcess child({"sh", "-c", "cat; echo late > late"}, folder.path(), -1);
     CHECK(child.write(bytes("x")));
   }
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
 }
 
 TEST_CASE("Ctrl-C in the terminal does not reach it") {

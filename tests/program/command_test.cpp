@@ -22,7 +22,7 @@ std::string scene(const std::string& name) {
 }
 
 bool has_partial(const TemporaryFolder& folder) {
-  for (const std::string& name : folder.names()) {
+  for (const std::string& name : names_in(folder)) {
     if (name.ends_with(".partial")) return true;
   }
   return false;
@@ -155,7 +155,7 @@ TEST_CASE("without --out or --report a run writes nothing") {
   const TemporaryFolder folder;
   std::filesystem::copy(scene("spring"), folder.path());
   CHECK(run_hooke({"run", (folder / "spring.json").string(), "--seconds", "0.1"}).exit_code == 0);
-  CHECK(folder.names() == std::set<std::string>{"spring.json"});
+  CHECK(names_in(folder) == std::set<std::string>{"spring.json"});
 }
 
 TEST_CASE("an unstable run ends with exit code 1, names step and particle, and keeps the last good state") {
@@ -180,7 +180,7 @@ TEST_CASE("Ctrl-C ends a run with exit code 130 and whole files") {
   const std::filesystem::path report_path = folder / "report.json";
   Process process({"run", scene("curtain"), "--seconds", "1e6", "--out", folder.path().string(), "--report",
                    report_path.string()});
-  REQUIRE(wait_until([&] { return folder.names().contains("curtain_0005.vtp"); }));
+  REQUIRE(wait_until([&] { return names_in(folder).contains("curtain_0005.vtp"); }));
   process.send(SIGINT);
   const Outcome outcome = process.wait();
   CHECK(outcome.exit_code == 130);
@@ -194,7 +194,7 @@ TEST_CASE("Ctrl-C ends a run with exit code 130 and whole files") {
     CHECK(read_vtp(folder / set.file).time == set.time);
     expected.insert(set.file);
   }
-  CHECK(folder.names() == expected);
+  CHECK(names_in(folder) == expected);
   CHECK(expected.size() >= 8);
 }
 
@@ -207,7 +207,7 @@ TEST_CASE("Ctrl-C keeps the frames of a point cache") {
       [&] { return std::filesystem::exists(partial) && std::filesystem::file_size(partial) > 100'000; }));
   process.send(SIGINT);
   CHECK(process.wait().exit_code == 130);
-  CHECK(folder.names() == std::set<std::string>{"curtain.obj", "curtain.pc2"});
+  CHECK(names_in(folder) == std::set<std::string>{"curtain.obj", "curtain.pc2"});
   const std::string bytes = read_file(folder / "curtain.pc2");
   std::int32_t points = 0, samples = 0;
   std::memcpy(&points, bytes.data() + 16, sizeof points);

@@ -13,17 +13,15 @@
 
 namespace hooke::test {
 
-/// That of the demos, of which tests want to know what is in it.
-class TemporaryFolder : public hooke::TemporaryFolder {
- public:
-  /// The names of all that is in it.
-  std::set<std::string> names() const {
-    std::set<std::string> result;
-    for (const auto& entry : std::filesystem::directory_iterator(path()))
-      result.insert(entry.path().filename().string());
-    return result;
-  }
-};
+using hooke::TemporaryFolder;
+
+/// The names of all that is in a folder.
+inline std::set<std::string> names_in(const TemporaryFolder& folder) {
+  std::set<std::string> result;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    result.insert(entry.path().filename().string());
+  return result;
+}
 
 inline std::string read_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);

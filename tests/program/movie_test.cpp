@@ -18,6 +18,7 @@ namespace {
 using picture::Image;
 using picture::PictureError;
 using test::EnvironmentVariable;
+using test::names_in;
 using test::TemporaryFolder;
 using test::write_ffmpeg;
 
@@ -41,7 +42,7 @@ TEST_CASE("a movie has the pictures that were added, in their colours, at its ra
     for (const auto& colour : colours) movie.add(of_one_colour(64, 48, colour));
     movie.finish();
   }
-  CHECK(folder.names() == std::set<std::string>{"a: movie.mp4"});
+  CHECK(names_in(folder) == std::set<std::string>{"a: movie.mp4"});
   CHECK(test::video_entry(file, "codec_name") == "h264");
   CHECK(test::video_entry(file, "pix_fmt") == "yuv420p");
   CHECK(test::video_entry(file, "r_frame_rate") == "24/1");
@@ -83,7 +84,7 @@ TEST_CASE("a movie that is not finished leaves nothing behind, and an older one 
     Movie movie(folder / "m.mp4", 64, 48, 24.0);
     movie.add(Image(64, 48));
   }
-  CHECK(folder.names() == std::set<std::string>{"m.mp4"});
+  CHECK(names_in(folder) == std::set<std::string>{"m.mp4"});
   CHECK(test::read_file(folder / "m.mp4") == "older");
 }
 
@@ -92,7 +93,7 @@ TEST_CASE("without ffmpeg it is said what to install, before anything is drawn")
   const EnvironmentVariable path("PATH", empty.path());
   CHECK_THROWS_WITH_AS(Movie(folder / "m.mp4", 64, 48, 24.0), doctest::Contains("apt-get install ffmpeg"),
                        PictureError);
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
 }
 
 TEST_CASE("an ffmpeg that cannot encode is found out before anything is drawn, in its own words") {
@@ -101,7 +102,7 @@ TEST_CASE("an ffmpeg that cannot encode is found out before anything is drawn, i
   const EnvironmentVariable path("PATH", programs.path());
   CHECK_THROWS_WITH_AS(Movie(folder / "m.mp4", 64, 48, 24.0), doctest::Contains("Unknown encoder libx264"),
                        PictureError);
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
 }
 
 TEST_CASE("an ffmpeg that fails midway is told in its own words and leaves no half file") {
@@ -115,7 +116,7 @@ TEST_CASE("an ffmpeg that fails midway is told in its own words and leaves no ha
     };
     CHECK_THROWS_WITH_AS(add_many(), doctest::Contains("No space left"), PictureError);
   }
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
 }
 
 TEST_CASE("a movie's file must be one that can be written") {

@@ -10,6 +10,7 @@
 namespace hooke {
 namespace {
 
+using test::names_in;
 using test::read_file;
 using test::TemporaryFolder;
 
@@ -64,7 +65,7 @@ TEST_CASE("frames get one OBJ file each") {
   ObjWriter writer(scene, {folder.path(), "cloth", NumberType::float32});
   for (int i = 0; i < 3; ++i) writer.write({0.0, scene.particles.position, {}});
   writer.finish();
-  CHECK(folder.names() == std::set<std::string>{"cloth_0000.obj", "cloth_0001.obj", "cloth_0002.obj"});
+  CHECK(names_in(folder) == std::set<std::string>{"cloth_0000.obj", "cloth_0001.obj", "cloth_0002.obj"});
   CHECK(writer.files().size() == 3);
   CHECK(writer.entry() == folder / "cloth_0000.obj");
 }

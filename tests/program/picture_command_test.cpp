@@ -88,7 +88,7 @@ TEST_CASE("a picture has the size asked for, shows something, and is the same on
     CHECK(json::parse(read_file(folder / "r.json")).at("pictures") ==
           json::array({(folder / name).string()}));
   }
-  CHECK(folder.names() == Names{"a.png", "b.png", "r.json"});
+  CHECK(names_in(folder) == Names{"a.png", "b.png", "r.json"});
   const Image image = read_png(folder / "a.png");
   CHECK(image.width == 320);
   CHECK(image.height == 200);
@@ -146,7 +146,7 @@ TEST_CASE("a movie has a picture for each frame, moves with its scene, and stand
   const std::filesystem::path file = folder / "m.mp4";
   const std::vector<std::string> options{"--movie", file.string(), "--size", "320x200"};
   REQUIRE(run_for(curtain, "0.5", options).exit_code == 0);
-  CHECK(folder.names() == Names{"m.mp4"});
+  CHECK(names_in(folder) == Names{"m.mp4"});
   CHECK(video_entry(file, "width") == "320");
   CHECK(video_entry(file, "height") == "200");
   CHECK(video_entry(file, "r_frame_rate") == "30/1");
@@ -172,12 +172,12 @@ TEST_CASE("Ctrl-C ends a run, and its pictures show how far it came") {
   Process process({"run", curtain, "--seconds", "1e6", "--fps", "1", "--picture", (folder / "s.png").string(),
                    "--sheet", "3x2", "--movie", (folder / "m.mp4").string(), "--size", "604x402", "--out",
                    frames.path().string()});
-  REQUIRE(wait_until([&] { return frames.names().contains("curtain_0003.vtp"); }));
+  REQUIRE(wait_until([&] { return names_in(frames).contains("curtain_0003.vtp"); }));
   process.send(SIGINT);
   const Outcome outcome = process.wait();
   CAPTURE(outcome.err);
   CHECK(outcome.exit_code == 130);
-  CHECK(folder.names() == Names{"m.mp4", "s.png"});
+  CHECK(names_in(folder) == Names{"m.mp4", "s.png"});
   const std::vector<Image> cells = cells_above_labels(read_png(folder / "s.png"));
   CHECK(differing_share(cells[0], cells[1]) > 0.01);
   for (std::size_t i = 2; i < 6; ++i) {
@@ -199,7 +199,7 @@ TEST_CASE("Ctrl-C while a movie is drawn ends the movie early") {
   const Outcome outcome = process.wait();
   CAPTURE(outcome.err);
   CHECK(outcome.exit_code == 130);
-  CHECK(folder.names() == Names{"m.mp4", "r.json"});
+  CHECK(names_in(folder) == Names{"m.mp4", "r.json"});
   CHECK(json::parse(read_file(folder / "r.json")).at("steps") == 50000);
   const int frames = std::stoi(video_entry(folder / "m.mp4", "nb_frames"));
   CHECK(frames > 0);
@@ -225,7 +225,7 @@ TEST_CASE("a run that goes bad has its pictures, too, of the time before the sce
   for (std::size_t i = 1; i < 6; ++i) CHECK(tones(cells[i]) == 1);
   std::filesystem::remove(folder / "p.png");
   CHECK(contains(run({}), "flown apart"));
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
 }
 
 TEST_CASE("without ffmpeg a movie is refused before the run, and nothing is left") {
@@ -237,7 +237,7 @@ TEST_CASE("without ffmpeg a movie is refused before the run, and nothing is left
   CHECK(outcome.exit_code == 2);
   CHECK(contains(outcome.err, "apt-get install ffmpeg"));
   CHECK(outcome.out.empty());
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
 }
 
 TEST_CASE("a movie that fails after the run is told, and the run is not lost") {
@@ -252,7 +252,7 @@ TEST_CASE("a movie that fails after the run is told, and the run is not lost") {
   CHECK(outcome.exit_code == 2);
   CHECK(contains(outcome.err, "No space left"));
   CHECK(contains(outcome.out, "5000 of 0.0001 s"));
-  CHECK(folder.names() == Names{"p.png", "r.json"});
+  CHECK(names_in(folder) == Names{"p.png", "r.json"});
   const json report = json::parse(read_file(folder / "r.json"));
   CHECK(report.at("pictures").size() == 1);
   CHECK(contains(report.at("pictures_problem").get<std::string>(), "No space left"));
@@ -266,7 +266,7 @@ TEST_CASE("without a driver a picture is refused before the run, and a run witho
   CHECK(contains(outcome.err, "libegl1"));
   CHECK(contains(outcome.err, "libgl1-mesa-dri"));
   CHECK(outcome.out.empty());
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
   CHECK(run_for(curtain, "0.1", {}).exit_code == 0);
 }
 
@@ -290,7 +290,7 @@ TEST_CASE("pictures that cannot be written, and scenes with faults, are refused 
       "particles": {"mass": [1, 1], "position": [[0, 0, 0], [1, 0, 0]]},
       "springs": {"first": [0], "second": [7], "stiffness": [10], "rest_length": [1]}})");
   CHECK(contains(error((folder / "bad.json").string(), {"--picture", (folder / "a.png").string()}), "7"));
-  CHECK(folder.names() == Names{"bad.json", "p.png"});
+  CHECK(names_in(folder) == Names{"bad.json", "p.png"});
 }
 
 }  // namespace

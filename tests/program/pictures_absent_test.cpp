@@ -17,7 +17,7 @@ TEST_CASE("a program that was built without pictures says what to install, and r
   CHECK(refused.err.find("libepoxy-dev") != std::string::npos);
   CHECK(refused.err.find("build") != std::string::npos);
   CHECK(refused.out.empty());
-  CHECK(folder.names().empty());
+  CHECK(names_in(folder).empty());
   CHECK(run_hooke({"run", curtain, "--seconds", "0.1"}).exit_code == 0);
 }
 

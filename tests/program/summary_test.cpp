@@ -1,12 +1,15 @@
 #include "program/summary.h"
-#include "text.h"
 
 #include <sstream>
 
 #include <doctest/doctest.h>
 
+#include "text.h"
+
 namespace hooke::program {
 namespace {
+
+using test::contains;
 
 std::string summary(const RunResult& result) {
   std::ostringstream out;

@@ -10,6 +10,7 @@
 namespace hooke {
 namespace {
 
+using test::names_in;
 using test::read_pvd;
 using test::read_vtp;
 using test::TemporaryFolder;
@@ -119,7 +120,7 @@ TEST_CASE("a collection lists every frame with its time, and only files that are
   CHECK(writer.files().size() == frames + 1);
   std::set<std::string> written;
   for (const auto& file : writer.files()) written.insert(file.filename().string());
-  CHECK(written == folder.names());
+  CHECK(written == names_in(folder));
 }
 
 TEST_CASE("frames that cannot be written are an error that names the file") {
