@@ -8,7 +8,7 @@ tools="a C++20 compiler (GCC 11, Clang 14 or newer), CMake 3.22 or newer, Ninja"
 program_libraries="Eigen 3, oneTBB, Highway, nlohmann-json, CLI11, tinyobjloader (and gnuplot for plots; for pictures \
 and the viewer libepoxy, GLFW, Dear ImGui, libpng, EGL, Mesa's drivers and ffmpeg)"
 program_packages="libeigen3-dev libtbb-dev libhwy-dev nlohmann-json3-dev libcli11-dev libtinyobjloader-dev gnuplot-nox \
-pkg-config libepoxy-dev libglfw3-dev libimgui-dev libpng-dev libegl1 libgl1-mesa-dri ffmpeg"
+pkg-config libepoxy-dev libglfw3-dev libimgui-dev libpng-dev libegl1 libgl1-mesa-dri ffmpeg fonts-dejavu-core"
 test_libraries="doctest, Google Benchmark"
 test_packages="doctest-dev libbenchmark-dev libboost-dev python3-jsonschema xvfb libxtst-dev"
 # Other programs that the engine is compared with. They bring 800 MB, so only .ci/run installs them; where they are
