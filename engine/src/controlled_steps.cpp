@@ -39,7 +39,7 @@ auto ControlledSteps<Real>::attempt(const PlanRun<Real>& run, const StepTimes& t
   if (attempt.bad != Report::none) return attempt;
   evaluate_at(states.after(taken + 1), runge_kutta_.stages());
   attempt.error =
-      error_norm(allowed_, times.h, model_.particles(), runge_kutta_.accelerations(), executor_, sums_);
+      error_norm(allowed_, times.h(), model_.particles(), runge_kutta_.accelerations(), executor_, sums_);
   return attempt;
 }
 

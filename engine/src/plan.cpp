@@ -80,7 +80,7 @@ std::string tiles_text(const CompiledPlan<Real>& plan) {
 
 template <class Real>
 CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
-                             Scheme<Real>& scheme) {
+                             Scheme<Real>& scheme, std::uint64_t substeps) {
   CompiledPlan<Real> plan;
   if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces, scheme));
   plan.sweeps.push_back(particle_sweep(settings.method, model, forces, scheme));
@@ -88,7 +88,8 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
   plan.tiled = plan.sweeps.size() == 1 && !forces.calls_user();
   const bool controlled = scheme.controlled() != nullptr;
   plan.most_steps_at_once = plan.tiled && !controlled ? most_steps_at_once : 1;
-  plan.states = plan.most_steps_at_once > 1 || controlled ? 3 : 2;
+  plan.states = plan.most_steps_at_once > 1 || controlled || substeps > 1 ? 3 : 2;
+  plan.shown.substeps = substeps;
   plan.shown.stages = stages_of(plan.sweeps);
   plan.shown.model_bytes = model.order.bytes();
   plan.shown.order = model.order.reason();
@@ -99,8 +100,9 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
   return plan;
 }
 
-template CompiledPlan<float> make_plan(const Settings&, const Model<float>&, Forces<float>&, Scheme<float>&);
+template CompiledPlan<float> make_plan(const Settings&, const Model<float>&, Forces<float>&, Scheme<float>&,
+                                       std::uint64_t);
 template CompiledPlan<double> make_plan(const Settings&, const Model<double>&, Forces<double>&,
-                                        Scheme<double>&);
+                                        Scheme<double>&, std::uint64_t);
 
 }  // namespace hooke

@@ -39,10 +39,10 @@ struct CompiledPlan {
   Plan shown;
 };
 
-/// `model`, `forces` and `scheme` must live as long as the plan. The bytes of the state are left for who
-/// makes it.
+/// `model`, `forces` and `scheme` must live as long as the plan. Each step is taken in `substeps`. The bytes
+/// of the state are left for who makes it.
 template <class Real>
 CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
-                             Scheme<Real>& scheme);
+                             Scheme<Real>& scheme, std::uint64_t substeps);
 
 }  // namespace hooke

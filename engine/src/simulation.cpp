@@ -60,6 +60,18 @@ std::string_view to_string(Accumulation accumulation) {
   return "";
 }
 
+std::string_view to_string(UnstableStep choice) {
+  switch (choice) {
+    case UnstableStep::divide:
+      return "divide";
+    case UnstableStep::refuse:
+      return "refuse";
+    case UnstableStep::take:
+      return "take";
+  }
+  return "";
+}
+
 template <class Real>
 Simulation<Real>::Simulation(const Scene& scene, Settings settings)
     : parts_(std::make_unique<Parts>(scene, std::move(settings))) {}

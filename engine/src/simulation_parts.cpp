@@ -4,6 +4,7 @@
 
 #include "model/precision.h"
 #include "scene/scene_size.h"
+#include "stability/step_division.h"
 #include "step.h"
 
 namespace hooke {
@@ -31,7 +32,8 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
       model(scene, settings.accumulation, *executor),
       forces(scene, model),
       scheme(settings.method, model.particles()),
-      plan(make_plan(settings, model, forces, scheme)),
+      substeps(substeps_of(scene, settings)),
+      plan(make_plan(settings, model, forces, scheme, substeps)),
       workers(plan.tiles, executor->threads()),
       states(initial_state(scene, model), plan.states),
       between(scheme.states_between(), states.now()),
@@ -62,11 +64,10 @@ auto Simulation<Real>::Parts::attempt(const Attempt& attempt) {
 
 template <class Real>
 Index Simulation<Real>::Parts::take_at_once(std::size_t count) {
-  const Index bad = attempt([&] {
-    return hooke::take_steps(run(), {time_at_step_0, steps, settings.step}, 0, count, states);
-  });
+  const Index bad =
+      attempt([&] { return hooke::take_steps(run(), substep_times(0), 0, count * substeps, states); });
   if (bad == Report::none) {
-    states.advance(count);
+    states.advance(count * substeps);
   } else {
     states.drop();
   }
@@ -74,16 +75,48 @@ Index Simulation<Real>::Parts::take_at_once(std::size_t count) {
 }
 
 template <class Real>
+Index Simulation<Real>::Parts::take_substeps(std::size_t most_at_once) {
+  Index bad = Report::none;
+  for (std::uint64_t taken = 0; taken < substeps && bad == Report::none;) {
+    const auto tried = std::min<std::uint64_t>(substeps - taken, most_at_once);
+    bad = hooke::take_steps(run(), substep_times(taken), taken, tried, states);
+    taken += tried;
+  }
+  return bad;
+}
+
+template <class Real>
+Index Simulation<Real>::Parts::take_divided() {
+  const Index bad = attempt([&] {
+    const Index found = take_substeps(plan.most_steps_at_once);
+    return found == Report::none || plan.most_steps_at_once == 1 ? found : take_substeps(1);
+  });
+  if (bad == Report::none) {
+    states.advance_as_one(substeps);
+  } else {
+    states.drop();
+  }
+  return bad;
+}
+
+template <class Real>
+std::uint64_t Simulation<Real>::Parts::steps_at_once(std::uint64_t left) const {
+  if (substeps == 1) return std::min<std::uint64_t>(left, plan.most_steps_at_once);
+  // The last one is taken apart, so that the state before it is kept.
+  const std::uint64_t fitting = plan.most_steps_at_once / substeps;
+  return std::max<std::uint64_t>(1, std::min(left - 1, fitting));
+}
+
+template <class Real>
 void Simulation<Real>::Parts::take_fixed_steps(std::uint64_t count, Report& report) {
   std::uint64_t one_by_one = 0;  // steps to be taken one by one, as one of them went bad
   while (report.steps_taken < count && report.ok()) {
-    const std::uint64_t left = count - report.steps_taken;
-    const std::uint64_t tried = one_by_one > 0 ? 1 : std::min<std::uint64_t>(left, plan.most_steps_at_once);
-    const Index bad = take_at_once(tried);
+    const std::uint64_t tried = one_by_one > 0 ? 1 : steps_at_once(count - report.steps_taken);
+    const Index bad = tried == 1 && substeps > 1 ? take_divided() : take_at_once(tried);
     if (bad == Report::none) {
       steps += tried;
       report.steps_taken += tried;
-      report.force_evaluations += tried * plan.stages;
+      report.force_evaluations += tried * substeps * plan.stages;
       one_by_one -= one_by_one > 0;
     } else if (tried > 1) {
       one_by_one = tried;

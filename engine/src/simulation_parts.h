@@ -26,6 +26,7 @@ struct Simulation<Real>::Parts {
   Model<Real> model;
   Forces<Real> forces;
   Scheme<Real> scheme;
+  std::uint64_t substeps;  ///< that each step is taken in
   CompiledPlan<Real> plan;
   TileWorkers workers;
   StateRing<Real> states;
@@ -42,19 +43,36 @@ struct Simulation<Real>::Parts {
   /// Takes up to `count` steps; stops before one that goes bad, and reports it.
   Report take_steps(std::uint64_t count);
 
+  double substep_length() const { return settings.step / double(substeps); }  ///< [s]
+
   /// The newest state with whole velocities.
   const State<Real>& whole_state() { return whole.of(states.now(), model, forces, *executor); }
 
  private:
   PlanRun<Real> run() { return {plan, scheme, workers, *executor, between, times}; }
 
+  /// Of substeps, from the one after the first `taken` of the next step on.
+  StepTimes substep_times(std::uint64_t taken) const {
+    return {time_at_step_0, steps * substeps + taken, settings.step, double(substeps)};
+  }
+
+  /// How many of `left` >= 1 steps to take at once.
+  std::uint64_t steps_at_once(std::uint64_t left) const;
+
   /// Takes as many steps as go well, up to `count`.
   void take_fixed_steps(std::uint64_t count, Report& report);
   void take_controlled_steps(std::uint64_t count, Report& report);
 
-  /// Takes `count` steps, at most plan.most_steps_at_once, and returns Report::none; or returns a particle
-  /// that went bad and stays in the state before.
+  /// Takes `count` steps, with at most plan.most_steps_at_once substeps in all or only one of them, and
+  /// returns Report::none; or returns a particle that went bad and stays in the state before.
   Index take_at_once(std::size_t count);
+
+  /// Likewise one step in substeps; the particle is then the first one, by number, that went bad. The state
+  /// before the step becomes the one before the newest.
+  Index take_divided();
+
+  /// Computes the substeps of a step, at most so many at once, and leaves it to the caller to advance.
+  Index take_substeps(std::size_t most_at_once);
 
   /// Runs a step. Where it throws, as a callback of the user's may, the newest state stays whole.
   template <class Attempt>

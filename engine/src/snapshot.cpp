@@ -84,7 +84,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   check_memory(snapshot.method, p.model.particles());
   p.clock.set_remainder(snapshot.remainder);
   // Velocities without their last kick are of use only to a method that would leave the same kick pending.
-  const double last_kick = p.scheme.last_kick() * p.settings.step;
+  const double last_kick = p.scheme.last_kick() * p.substep_length();
   const MethodMemory<Real> memory =
       snapshot.method.state == hash_of_state(snapshot) ? snapshot.method : MethodMemory<Real>{};
   const bool pending = !memory.velocities.empty() && memory.pending_kick == last_kick;

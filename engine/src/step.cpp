@@ -37,10 +37,10 @@ class Substeps {
     State<Real>& now = stage == 0 ? start : between(stage - 1);
     const bool last = stage + 1 == stages;
     State<Real>& next = last ? states_.after(first_ + step + 1) : between(stage);
-    const double pending = step == 0 ? start.pending_kick : scheme.last_kick() * times_.h;
+    const double pending = step == 0 ? start.pending_kick : scheme.last_kick() * times_.h();
     const double time = times_.after(step, scheme.time(stage));
     const double time_after = last ? times_.after(step + 1) : times_.after(step, scheme.time(stage + 1));
-    return {stage, start, now, next, times_.h, stage == 0 ? pending : 0.0, time, time_after, first_bad_};
+    return {stage, start, now, next, times_.h(), stage == 0 ? pending : 0.0, time, time_after, first_bad_};
   }
 
  private:
@@ -84,7 +84,7 @@ Index take_steps(const PlanRun<Real>& run, const StepTimes& times, std::size_t f
   if (first_bad != Report::none) return first_bad;
   for (std::size_t n = 1; n <= count; ++n) {
     states.after(first + n).time = times.after(n);
-    states.after(first + n).pending_kick = run.scheme.last_kick() * times.h;
+    states.after(first + n).pending_kick = run.scheme.last_kick() * times.h();
   }
   return Report::none;
 }

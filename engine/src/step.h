@@ -15,13 +15,16 @@ namespace hooke {
 /// When the steps of a run are: the n-th state from now is at start + (now + n) h. A product, not a sum of
 /// steps, as a sum drifts by a rounding error in each.
 struct StepTimes {
-  double start;       ///< [s]
-  std::uint64_t now;  ///< steps taken since `start`
-  double h;           ///< [s]
+  double start;          ///< [s]
+  std::uint64_t now;     ///< steps taken since `start`
+  double whole_step;     ///< [s]
+  double divisions = 1;  ///< equal parts of the whole step, each of which is a step here
+
+  double h() const { return whole_step / divisions; }  ///< [s]
 
   /// `share` of a step later still.
   double after(std::size_t steps, double share = 0.0) const {
-    return start + (double(now + steps) + share) * h;
+    return start + (double(now + steps) + share) / divisions * whole_step;
   }
 };
 

@@ -31,7 +31,9 @@ Scene rounded(Scene scene) {
 template <class Real>
 double worst_error(const Scene& scene, Accumulation accumulation, const std::shared_ptr<Executor>& executor) {
   const SerialReference reference(scene, scene.particles.position, scene.particles.velocity);
-  Simulation<Real> simulation(scene, {.step = 1.0, .accumulation = accumulation, .executor = executor});
+  Simulation<Real> simulation(
+      scene,
+      {.step = 1.0, .unstable_step = UnstableStep::take, .accumulation = accumulation, .executor = executor});
   REQUIRE(simulation.step().ok());
   std::set<Index> pinned;
   for (const Pin& pin : scene.pins) pinned.insert(pin.particle);

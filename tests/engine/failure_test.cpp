@@ -30,8 +30,9 @@ bool finite(const Simulation<Real>& simulation) {
 TEST_CASE_TEMPLATE("an unstable step ends with a report, and the last good state is kept", Real, float,
                    double) {
   for (auto accumulation : accumulations) {
-    Simulation<Real> simulation(hung_cloth(20, 20),
-                                {.step = 0.1, .accumulation = accumulation, .threads = 2});
+    Simulation<Real> simulation(
+        hung_cloth(20, 20),
+        {.step = 0.1, .unstable_step = UnstableStep::take, .accumulation = accumulation, .threads = 2});
     const Report report = simulation.step(100'000);
     REQUIRE_FALSE(report.ok());
     CHECK(report.step == report.steps_taken + 1);
@@ -140,7 +141,7 @@ TEST_CASE("values that a float cannot hold are refused, with the remedy") {
   scene.add_particle(1.0, {1e200, 0, 0});
   scene.add_spring(0, 1, 1e100, 1.0);
   try {
-    Simulation<float> simulation(scene);
+    Simulation<float> simulation(scene, {.unstable_step = UnstableStep::take});
     FAIL("accepted");
   } catch (const SceneError& error) {
     CHECK(error.faults().size() == 2);
@@ -193,7 +194,7 @@ TEST_CASE("a pinned particle is never the bad one, whatever pulls at it") {
   scene.add_particle(1.0, {1, 0, 0}, {1e30, 0, 0});
   scene.add_spring(0, 1, 1e30, 0.0);
   scene.pin(0);
-  Simulation<float> simulation(scene, {.step = 1.0});
+  Simulation<float> simulation(scene, {.step = 1.0, .unstable_step = UnstableStep::take});
   const Report report = simulation.step(100);
   REQUIRE_FALSE(report.ok());
   CHECK(report.first_bad_particle == 1);

@@ -23,8 +23,11 @@ inline StepMatrix measured_step(const Method& method, double z, double zeta,
   scene.add_particle(mass, {1.0, 0.0, 0.0}, {0.0, w, 0.0});
   scene.add_spring(0, 1, stiffness, 0.0);
   if (zeta > 0.0) scene.effects = {Drag{2.0 * zeta * w * mass}};
-  Simulation<double> simulation(
-      scene, {.method = method, .step = z / w, .accumulation = accumulation, .threads = 1});
+  Simulation<double> simulation(scene, {.method = method,
+                                        .step = z / w,
+                                        .unstable_step = UnstableStep::take,
+                                        .accumulation = accumulation,
+                                        .threads = 1});
   simulation.step();
   const Vec3 x = position(simulation, 1), v = velocity(simulation, 1) / w;
   return StepMatrix{{x.x(), x.y()}, {v.x(), v.y()}};

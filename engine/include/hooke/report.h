@@ -63,6 +63,7 @@ struct Plan {
   std::string order;            ///< how particles are numbered inside, and why
   std::string springs;          ///< how springs are laid out; empty where there are none
   std::string tiles;            ///< how particles are cut into tiles, and how many steps run on one at once
+  std::uint64_t substeps = 1;   ///< equal parts that each step is taken in, so that the method bears them
 
   std::size_t bytes() const;  ///< everything: state, model and stages
 };

@@ -29,10 +29,22 @@ inline constexpr std::array accumulations{Accumulation::gather, Accumulation::co
 
 std::string_view to_string(Accumulation accumulation);
 
+/// What becomes of a step that is longer than the method surely bears (see largest_stable_step()).
+enum class UnstableStep {
+  divide,  ///< it is taken in as many equal substeps as it needs: the default
+  refuse,  ///< it is a fault of the settings
+  take,    ///< it is taken as it is: for those who know the scene better than the bound does
+};
+
+inline constexpr std::array unstable_steps{UnstableStep::divide, UnstableStep::refuse, UnstableStep::take};
+
+std::string_view to_string(UnstableStep choice);
+
 /// How a scene is simulated.
 struct Settings {
   Method method = SymplecticEuler{};
   double step = 1.0 / 60.0;  ///< [s], > 0; a method with error control takes shorter ones inside
+  UnstableStep unstable_step = UnstableStep::divide;
   Accumulation accumulation = Accumulation::gather;
   unsigned threads = 0;                     ///< at most this many; 0: as many as the machine has
   std::uint64_t max_steps_per_advance = 8;  ///< cap of one advance(), >= 1

@@ -1,6 +1,7 @@
 #include <hooke/simulation.h>
 
 #include "scene/element_checks.h"
+#include "stability/step_division.h"
 
 namespace hooke {
 namespace {
@@ -24,6 +25,7 @@ std::vector<Fault> validate(const Scene& scene, const Settings& settings) {
   checks.positive("step", settings.step, "s");
   checks.at_least("max_steps_per_advance", settings.max_steps_per_advance, 1);
   std::visit([&](const auto& method) { check_method(faults, method); }, settings.method);
+  if (faults.empty()) check_stability(faults, scene, settings);
   return faults;
 }
 

@@ -10,6 +10,7 @@ Settings settings_of(const StudySettings& settings, const RunPlan& plan) {
   Settings result;
   result.method = plan.method;
   result.step = settings.horizon / double(plan.steps);
+  result.unstable_step = UnstableStep::take;  // how a method fails is part of what is studied
   result.accumulation = settings.accumulation;
   result.executor = settings.executor;
   return result;

@@ -1,0 +1,64 @@
+#include "stability/step_division.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <hooke/stability.h>
+
+#include "scene/element_checks.h"
+#include "scene/number_text.h"
+
+namespace hooke {
+namespace {
+
+/// More would hardly be meant.
+constexpr double most_substeps = 1e6;
+
+bool bears_oscillations(const Method& method) {
+  return std::visit([](const auto& one) { return one.oscillation_limit > 0.0; }, method);
+}
+
+/// The substeps that the step needs where the longest stable one is this [s]; may be infinite.
+double needed_substeps(const Settings& settings, double longest) {
+  if (longest == 0.0 && !bears_oscillations(settings.method)) return 1.0;
+  return std::max(1.0, std::ceil(settings.step / longest));
+}
+
+/// A length of time in four digits, rounded down, so that it is one that can be taken.
+std::string rounded_down(double seconds) {
+  if (seconds <= 0.0) return "0";
+  const double unit = std::pow(10.0, std::floor(std::log10(seconds)) - 3.0);
+  return to_text(std::floor(seconds / unit) * unit);
+}
+
+}  // namespace
+
+std::uint64_t substeps_of(const Scene& scene, const Settings& settings) {
+  if (settings.unstable_step != UnstableStep::divide) return 1;
+  const double longest = largest_stable_step(scene, settings.method);
+  return std::uint64_t(std::min(needed_substeps(settings, longest), most_substeps));
+}
+
+void check_stability(std::vector<Fault>& faults, const Scene& scene, const Settings& settings) {
+  if (settings.unstable_step == UnstableStep::take) return;
+  const double longest = largest_stable_step(scene, settings.method);
+  const double needed = needed_substeps(settings, longest);
+  const bool refused = settings.unstable_step == UnstableStep::refuse && settings.step > longest;
+  if (!refused && needed <= most_substeps) return;
+  const std::string method(to_string(settings.method));
+  if (longest == 0.0 && !bears_oscillations(settings.method)) {
+    ElementChecks(faults, "settings")
+        .add("method is " + method + ", which lets every undamped oscillation grow",
+             "use symplectic_euler, or unstable_step \"take\" to see it");
+    return;
+  }
+  ElementChecks(faults, "settings")
+      .add("step is " + to_text(settings.step) + " s, and " + method + " surely bears only " +
+               rounded_down(longest) + " s in this scene",
+           refused ? "give a shorter step, or unstable_step \"divide\""
+                   : "give a shorter step, softer springs or heavier particles");
+}
+
+}  // namespace hooke
