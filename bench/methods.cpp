@@ -43,7 +43,8 @@ class Case {
  private:
   template <class Real>
   std::vector<Vec3> positions_after(const Method& method, double step, int steps, unsigned threads) const {
-    Simulation<Real> simulation(scene_, {.method = method, .step = step, .threads = threads});
+    Simulation<Real> simulation(
+        scene_, {.method = method, .step = step, .unstable_step = UnstableStep::take, .threads = threads});
     simulation.step(std::uint64_t(steps));
     return positions_of(simulation);
   }
@@ -59,7 +60,9 @@ void time_method(benchmark::State& state, const Case& timed, const Method& metho
     state.SkipWithError("does not come to where the other methods come");
     return;
   }
-  Simulation<Real> simulation(timed.scene(), {.method = method, .step = timed.step(), .threads = threads});
+  Simulation<Real> simulation(
+      timed.scene(),
+      {.method = method, .step = timed.step(), .unstable_step = UnstableStep::take, .threads = threads});
   const Snapshot<Real> start = simulation.snapshot();
   double evaluations = 0.0;
   for (auto _ : state) {

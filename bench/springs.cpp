@@ -25,8 +25,10 @@ void count_springs(benchmark::State& state, std::size_t springs) {
 template <class Real>
 void time_engine(benchmark::State& state, const CheckedScene& timed, Accumulation accumulation,
                  unsigned threads) {
-  Simulation<Real> simulation(timed.bench.scene,
-                              {.step = timed.bench.step, .accumulation = accumulation, .threads = threads});
+  Simulation<Real> simulation(timed.bench.scene, {.step = timed.bench.step,
+                                                  .unstable_step = UnstableStep::take,
+                                                  .accumulation = accumulation,
+                                                  .threads = threads});
   const double distance = timed.check.distance(simulation);
   if (!(distance <= ReferenceCheck::tolerance<Real>)) {
     state.SkipWithError(("differs from the reference by " + std::to_string(distance) + " m").c_str());

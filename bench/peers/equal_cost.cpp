@@ -45,7 +45,8 @@ class HookeSheet : public MovedSheet {
   HookeSheet(const Scene& scene, unsigned substeps, unsigned threads)
       : substeps_(substeps),
         scene_({"sheet", scene, frame_seconds / substeps}),
-        simulation_(scene, {.step = scene_.bench.step, .threads = threads}),
+        simulation_(scene,
+                    {.step = scene_.bench.step, .unstable_step = UnstableStep::take, .threads = threads}),
         energy_before_(simulation_.energy().total()) {
     require_near<float>(scene_.check.distance(simulation_));
   }

@@ -10,7 +10,9 @@ namespace {
 template <class Real>
 Peer hooke_peer(const std::shared_ptr<const CheckedScene>& scene, unsigned threads) {
   const auto run = [scene, threads](std::uint64_t steps) {
-    Simulation<Real> simulation(scene->bench.scene, {.step = scene->bench.step, .threads = threads});
+    Simulation<Real> simulation(
+        scene->bench.scene,
+        {.step = scene->bench.step, .unstable_step = UnstableStep::take, .threads = threads});
     require_near<Real>(scene->check.distance(simulation));
     const double energy_before = simulation.energy().total();
     const program::Stopwatch watch;

@@ -54,7 +54,8 @@ Timing timed_run(const CheckedNetwork& checked, unsigned processes, std::uint64_
 
 std::vector<Peer> lammps_peers(const reference::LammpsPrograms& programs, const CheckedScene& scene) {
   const auto checked = std::make_shared<const CheckedNetwork>(programs, scene);
-  Simulation<double> engine(checked->network, {.method = Verlet{}, .step = scene.bench.step});
+  Simulation<double> engine(
+      checked->network, {.method = Verlet{}, .step = scene.bench.step, .unstable_step = UnstableStep::take});
   engine.step(ReferenceCheck::steps);
   checked->require_same("the engine", positions_of(engine));
   std::vector<Peer> peers;

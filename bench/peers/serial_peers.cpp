@@ -20,7 +20,8 @@ std::vector<Vec3> positions_of(const Cloth& cloth) {
 /// what energy they have.
 template <class Real, class Cloth>
 void require_good(const Cloth& cloth, const CheckedScene& scene, std::uint64_t steps) {
-  Simulation<Real> reached(scene.bench.scene, {.step = scene.bench.step});
+  Simulation<Real> reached(scene.bench.scene,
+                           {.step = scene.bench.step, .unstable_step = UnstableStep::take});
   const double energy_before = reached.energy().total();
   Snapshot<Real> state = reached.snapshot();
   for (std::size_t i = 0; i < cloth.particles(); ++i)

@@ -10,8 +10,10 @@ namespace {
 
 std::variant<Simulation<float>, Simulation<double>> compile(const BenchScene& bench,
                                                             const Configuration& configuration) {
-  const Settings settings{
-      .step = bench.step, .accumulation = configuration.mode, .threads = configuration.threads};
+  const Settings settings{.step = bench.step,
+                          .unstable_step = UnstableStep::take,
+                          .accumulation = configuration.mode,
+                          .threads = configuration.threads};
   if (configuration.precision == program::Precision::single) return Simulation<float>(bench.scene, settings);
   return Simulation<double>(bench.scene, settings);
 }

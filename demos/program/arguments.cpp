@@ -119,6 +119,14 @@ void add_scene_options(CLI::App& command, Arguments& arguments) {
       ->type_name("NAME");
   command
       .add_option_function<std::string>(
+          "--unstable-step",
+          [&](const std::string& name) { arguments.unstable_step = unstable_step_named(name); },
+          "What becomes of a step that is longer than the method surely bears: " +
+              listed(unstable_step_names()) + "; the scene's, if not given")
+      ->check(one_of(unstable_step_names()))
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
           "--precision", [&](const std::string& name) { arguments.precision = *precision_named(name); },
           "Type of the numbers that the simulation runs on: " + listed(precision_names()) +
               "; float, if not given")

@@ -1,11 +1,18 @@
 #include "program/check.h"
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
+#include <string>
 #include <variant>
 #include <vector>
 
+#include <hooke/stability.h>
+
 #include "program/exit_code.h"
+#include "program/rounded.h"
 #include "program/scene_input.h"
+#include "program/text_table.h"
 
 namespace hooke::program {
 namespace {
@@ -28,6 +35,33 @@ void print_contents(const SceneFile& file, std::ostream& out) {
       << file.settings.step << " s\n";
 }
 
+/// How many equal parts of a step of `step` [s] a method bears, in words.
+std::string parts_of(double step, double longest) {
+  const double parts = std::max(1.0, std::ceil(step / longest));
+  return parts == 1.0 ? "taken whole" : "taken in " + rounded(parts) + " parts";
+}
+
+/// How long a step each method bears, and what that means for the file's step.
+void print_stability(const SceneFile& file, std::ostream& out) {
+  out << "longest step that is surely stable, and what becomes of one of " << rounded(file.settings.step)
+      << " s:\n";
+  std::vector<TableRow> rows;
+  for (const Method& method : all_methods) {
+    const double longest = largest_stable_step(file.scene, method);
+    const std::string name(to_string(method));
+    if (std::holds_alternative<DormandPrince>(method)) {
+      rows.push_back({"  " + name, "", "chooses its steps itself"});
+    } else if (longest == 0.0) {
+      rows.push_back({"  " + name, "none", "undamped oscillations grow"});
+    } else if (std::isinf(longest)) {
+      rows.push_back({"  " + name, "any", parts_of(file.settings.step, longest)});
+    } else {
+      rows.push_back({"  " + name, rounded(longest) + " s", parts_of(file.settings.step, longest)});
+    }
+  }
+  print_table(rows, 3, out);
+}
+
 }  // namespace
 
 int check(const Arguments& arguments, std::ostream& out, std::ostream& faults) {
@@ -43,6 +77,7 @@ int check(const Arguments& arguments, std::ostream& out, std::ostream& faults) {
     return exit_bad_input;
   }
   print_contents(file, out);
+  print_stability(file, out);
   return exit_ok;
 }
 

@@ -24,6 +24,7 @@ auto find(const Choices& choices, Name name, std::string_view wanted) {
 }
 
 const auto method_name = [](const Method& method) { return to_string(method); };
+const auto unstable_step_name = [](UnstableStep choice) { return to_string(choice); };
 const auto accumulation_name = [](Accumulation accumulation) { return to_string(accumulation); };
 const auto precision_name = [](Precision precision) { return name_of(precision); };
 
@@ -39,6 +40,9 @@ std::vector<std::string> method_names() {
 std::vector<std::string> accumulation_names() {
   return names(accumulations, accumulation_name);
 }
+std::vector<std::string> unstable_step_names() {
+  return names(unstable_steps, unstable_step_name);
+}
 std::vector<std::string> precision_names() {
   return names(precisions, precision_name);
 }
@@ -49,6 +53,10 @@ std::optional<Method> method_named(std::string_view name) {
 
 std::optional<Accumulation> accumulation_named(std::string_view name) {
   return find(accumulations, accumulation_name, name);
+}
+
+std::optional<UnstableStep> unstable_step_named(std::string_view name) {
+  return find(unstable_steps, unstable_step_name, name);
 }
 
 std::optional<Precision> precision_named(std::string_view name) {

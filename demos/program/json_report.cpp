@@ -65,6 +65,7 @@ std::string json_report(const RunResult& result) {
   report["precision"] = result.precision;
   report["threads"] = result.threads;
   report["step"] = number(result.step);
+  report["substeps"] = result.substeps;
   report["steps"] = result.steps;
   report["force_evaluations"] = result.force_evaluations;
   report["rejected_steps"] = result.rejected_steps;

@@ -42,6 +42,8 @@ void print_plan(const Plan& plan, std::size_t particles, std::ostream& out) {
   out << "order    " << plan.order << '\n';
   if (!plan.springs.empty()) out << "springs  " << plan.springs << '\n';
   out << "tiles    " << plan.tiles << '\n';
+  if (plan.substeps > 1)
+    out << "steps    each in " << plan.substeps << " parts, as the method does not bear longer ones\n";
 }
 
 int plan(const Arguments& arguments, std::ostream& out) {

@@ -77,7 +77,8 @@ int parse_and_run(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())
-      throw CLI::RequiredError("give a command: run, view, plan, check or accuracy", CLI::ExitCodes::RequiredError);
+      throw CLI::RequiredError("give a command: run, view, plan, check or accuracy",
+                               CLI::ExitCodes::RequiredError);
   } catch (const CLI::ParseError& error) {
     return end_parse(app, error);
   }

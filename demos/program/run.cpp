@@ -43,6 +43,7 @@ void describe(const Simulation<Real>& simulation, RunResult& result) {
   result.accumulation = to_string(simulation.settings().accumulation);
   result.threads = simulation.threads();
   result.step = simulation.settings().step;
+  result.substeps = simulation.plan().substeps;
   result.simulation_bytes = simulation.plan().bytes();
 }
 

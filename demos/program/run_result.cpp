@@ -11,11 +11,11 @@ std::optional<double> ns_per_step_of_each(double seconds, std::uint64_t steps, s
 }  // namespace
 
 std::optional<double> RunResult::ns_per_spring_step() const {
-  return ns_per_step_of_each(wall_seconds, steps, springs);
+  return ns_per_step_of_each(wall_seconds, steps * substeps, springs);
 }
 
 std::optional<double> RunResult::ns_per_particle_step() const {
-  return ns_per_step_of_each(wall_seconds, steps, particles);
+  return ns_per_step_of_each(wall_seconds, steps * substeps, particles);
 }
 
 }  // namespace hooke::program

@@ -23,7 +23,8 @@ struct RunResult {
   std::size_t particles = 0, springs = 0;
   std::string method, accumulation, precision;
   unsigned threads = 0;
-  double step = 0.0;  ///< [s]
+  double step = 0.0;           ///< [s]
+  std::uint64_t substeps = 1;  ///< equal parts that each step is taken in
 
   std::uint64_t steps = 0;  ///< good steps taken
   std::uint64_t force_evaluations = 0;
@@ -58,7 +59,8 @@ struct RunResult {
   std::string pictures_problem;                 ///< why some of them are missing; empty where none are
   double pictures_seconds = 0.0;                ///< [s] spent on drawing them, after the run
 
-  /// Wall time [ns] for each spring and step, and for each particle and step; nothing where there are none.
+  /// Wall time [ns] for each spring and step, and for each particle and step; a part of a step counts as one.
+  /// Nothing where there are none.
   std::optional<double> ns_per_spring_step() const;
   std::optional<double> ns_per_particle_step() const;
 };

@@ -49,8 +49,8 @@ void print_summary(const RunResult& result, std::ostream& out) {
       << (result.threads == 1 ? " thread\n" : " threads\n");
   if (result.interrupted_by != 0) out << "  interrupted; what follows is of the run so far\n";
   out << "  steps            " << result.steps << " of " << rounded(result.step)
-      << " s: " << result.simulated_seconds << " s simulated, " << result.force_evaluations
-      << " evaluations of forces";
+      << (result.substeps > 1 ? " s, each in " + std::to_string(result.substeps) + " parts" : " s") << ": "
+      << result.simulated_seconds << " s simulated, " << result.force_evaluations << " evaluations of forces";
   if (result.rejected_steps > 0)
     out << ", " << result.rejected_steps
         << (result.rejected_steps == 1 ? " step taken again" : " steps taken again");

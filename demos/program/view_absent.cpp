@@ -6,8 +6,9 @@
 namespace hooke::program {
 
 int view(const Arguments&, const ViewOptions&, std::ostream&, std::ostream& problems) {
-  problems << "hooke: this hooke was built without the viewer: install libepoxy, GLFW 3.3, Dear ImGui and libpng "
-              "(Debian: libepoxy-dev libglfw3-dev libimgui-dev libpng-dev pkg-config), then run cmake again\n";
+  problems
+      << "hooke: this hooke was built without the viewer: install libepoxy, GLFW 3.3, Dear ImGui and libpng "
+         "(Debian: libepoxy-dev libglfw3-dev libimgui-dev libpng-dev pkg-config), then run cmake again\n";
   return exit_bad_input;
 }
 

@@ -13,19 +13,13 @@ namespace hooke {
 namespace {
 
 void refuse_unknown_keys(JsonReader& reader, const Json& root) {
-  std::vector<std::string_view> known{"$schema",
-                                      "name",
-                                      "description",
-                                      "particles",
-                                      "springs",
-                                      "pins",
-                                      "triangles",
-                                      "effects",
-                                      "method",
-                                      "step",
-                                      "seconds",
-                                      "accumulation",
-                                      "max_steps_per_advance",
+  std::vector<std::string_view> known{"$schema",      "name",
+                                      "description",  "particles",
+                                      "springs",      "pins",
+                                      "triangles",    "effects",
+                                      "method",       "step",
+                                      "seconds",      "unstable_step",
+                                      "accumulation", "max_steps_per_advance",
                                       "fps"};
   for_each_alternative<Builder>([&]<class T>(const T&) { known.push_back(T::name); });
   reader.refuse_unknown_keys(root, known);
@@ -84,17 +78,19 @@ void read_method(JsonReader& reader, const Json& root, Method& method) {
     reader.fault("names " + std::to_string(found->size()) + " methods", spelling_remedy("", known));
 }
 
-void read_accumulation(JsonReader& reader, const Json& root, Accumulation& accumulation) {
-  std::string word(to_string(accumulation));
-  reader.read_optional(root, "accumulation", word);
+/// One of `choices`, by its name.
+template <class Choices, class Choice>
+void read_choice(JsonReader& reader, const Json& root, const char* key, const Choices& choices, Choice& out) {
+  std::string word(to_string(out));
+  reader.read_optional(root, key, word);
   std::vector<std::string_view> known;
-  for (const auto mode : accumulations) {
-    known.push_back(to_string(mode));
+  for (const auto choice : choices) {
+    known.push_back(to_string(choice));
     if (word != known.back()) continue;
-    accumulation = mode;
+    out = choice;
     return;
   }
-  reader.fault_at("accumulation", "is \"" + printable(word) + "\"", spelling_remedy(word, known));
+  reader.fault_at(key, "is \"" + printable(word) + "\"", spelling_remedy(word, known));
 }
 
 /// A number that says how long or how often, so that the count of frames and steps stays one that can be
@@ -114,7 +110,8 @@ void read_settings(JsonReader& reader, const Json& root, SceneFile& file) {
       "give the length of a step [s]: a stiff scene needs a short one, a thousandth or less");
   reader.read_optional(root, "max_steps_per_advance", file.settings.max_steps_per_advance);
   read_method(reader, root, file.settings.method);
-  read_accumulation(reader, root, file.settings.accumulation);
+  read_choice(reader, root, "unstable_step", unstable_steps, file.settings.unstable_step);
+  read_choice(reader, root, "accumulation", accumulations, file.settings.accumulation);
   read_positive(reader, root, "seconds", 1e9, file.seconds);
   read_positive(reader, root, "fps", 1e6, file.fps);
 }

@@ -98,6 +98,7 @@ std::string write_scene(const SceneFile& file) {
                                                     {"seconds", seconds},
                                                     {"fps", fps},
                                                     {"method", json_of(settings.method)},
+                                                    {"unstable_step", to_string(settings.unstable_step)},
                                                     {"accumulation", to_string(settings.accumulation)},
                                                     {"max_steps_per_advance", settings.max_steps_per_advance},
                                                     {"effects", json_of(scene.effects)},

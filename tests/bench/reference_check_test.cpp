@@ -15,7 +15,9 @@ namespace {
 
 template <class Real>
 Simulation<Real> simulation_of(const BenchScene& scene, Accumulation accumulation = Accumulation::gather) {
-  return Simulation<Real>(scene.scene, {.step = scene.step, .accumulation = accumulation, .threads = 2});
+  return Simulation<Real>(
+      scene.scene,
+      {.step = scene.step, .unstable_step = UnstableStep::take, .accumulation = accumulation, .threads = 2});
 }
 
 template <class Real>

@@ -160,8 +160,9 @@ TEST_CASE("without --out or --report a run writes nothing") {
 
 TEST_CASE("an unstable run ends with exit code 1, names step and particle, and keeps the last good state") {
   const TemporaryFolder folder;
-  const Outcome outcome = run_hooke({"run", scene("curtain"), "--step", "0.1", "--seconds", "1000", "--out",
-                                     folder.path().string(), "--report", (folder / "report.json").string()});
+  const Outcome outcome =
+      run_hooke({"run", scene("curtain"), "--step", "0.1", "--unstable-step", "take", "--seconds", "1000",
+                 "--out", folder.path().string(), "--report", (folder / "report.json").string()});
   CHECK(outcome.exit_code == 1);
   CHECK(!outcome.out.empty());
   const json report = json::parse(read_file(folder / "report.json"));

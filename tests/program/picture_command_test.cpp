@@ -210,8 +210,8 @@ TEST_CASE("a run that goes bad has its pictures, too, of the time before the sce
   if (!can_draw()) return;
   const TemporaryFolder folder;
   const auto run = [&](std::vector<std::string> options) {
-    options.insert(options.end(),
-                   {"--step", "0.1", "--picture", (folder / "p.png").string(), "--size", "604x402"});
+    options.insert(options.end(), {"--step", "0.1", "--unstable-step", "take", "--picture",
+                                   (folder / "p.png").string(), "--size", "604x402"});
     const Outcome outcome = run_for(curtain, "100", options);
     CHECK(outcome.exit_code == 1);
     return outcome.err;

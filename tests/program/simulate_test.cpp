@@ -51,7 +51,7 @@ Scene unstable_spring() {
 template <class Real>
 RunResult simulate_scene(const Scene& scene, const FrameSchedule& schedule, double step, TimesWriter& writer,
                          std::span<Film> films = {}) {
-  Simulation<Real> simulation(scene, {.step = step});
+  Simulation<Real> simulation(scene, {.step = step, .unstable_step = UnstableStep::take});
   const Interruption interruption;
   FrameRecorder<Real> recorder(&writer);
   std::ostringstream nowhere;

@@ -52,6 +52,7 @@ void check_same(const SceneFile& a, const SceneFile& b) {
   CHECK(same_bits(a.fps, b.fps));
   CHECK(same_bits(a.settings.step, b.settings.step));
   CHECK(a.settings.method.index() == b.settings.method.index());
+  CHECK(a.settings.unstable_step == b.settings.unstable_step);
   CHECK(a.settings.accumulation == b.settings.accumulation);
   CHECK(a.settings.max_steps_per_advance == b.settings.max_steps_per_advance);
   CHECK(same_bits(a.scene.particles.mass, b.scene.particles.mass));
@@ -125,6 +126,7 @@ TEST_CASE("a scene that is written and read again has the same bits") {
   file.fps = 29.97;
   file.settings.step = 1.0 / 3.0;
   file.settings.method = ExplicitEuler{};
+  file.settings.unstable_step = UnstableStep::take;
   file.settings.accumulation = Accumulation::atomic;
   file.settings.max_steps_per_advance = std::numeric_limits<std::uint64_t>::max();
   const std::string text = write_scene(file);

@@ -79,6 +79,9 @@ TEST_CASE("the schema and the library name the same builders, effects, methods a
   CHECK(whole["properties"]["accumulation"]["enum"] == Json{to_string(Accumulation::gather),
                                                             to_string(Accumulation::coloured),
                                                             to_string(Accumulation::atomic)});
+  CHECK(whole["properties"]["unstable_step"]["enum"] == Json{to_string(UnstableStep::divide),
+                                                             to_string(UnstableStep::refuse),
+                                                             to_string(UnstableStep::take)});
 }
 
 TEST_CASE("the reader knows the keys of the schema at the top, and no others") {

@@ -158,6 +158,7 @@ TEST_CASE(
     "a run that goes bad stops with the engine's message; its last good state stays, and it can be reset") {
   Settings settings = settings_of();
   settings.step = 0.05;  // far beyond what is stable
+  settings.unstable_step = UnstableStep::take;
   SimulationThread thread(test::hung_cloth(8, 8), settings);
   thread.send(SetSpeed{1000.0});
   thread.send(SetRunning{true});
@@ -176,6 +177,7 @@ TEST_CASE(
 TEST_CASE("a change lets a run that went bad go on from its last good state") {
   Settings settings = settings_of();
   settings.step = 0.05;
+  settings.unstable_step = UnstableStep::take;
   SimulationThread thread(test::hung_cloth(8, 8), settings);
   thread.send(SetSpeed{1000.0});
   thread.send(SetRunning{true});

@@ -16,8 +16,7 @@ struct StepLimit {
 bool chooses_steps(const Method& method);
 
 /// Nothing where there is no limit to speak of: the method chooses its steps, or nothing in the scene pulls.
-/// It is a bound: h^2 w^2 + 2 h c = limit^2, with the bounds of hooke/stability.h on frequency w and damping
-/// rate c, and the method's oscillation_limit.
+/// It is the bound of hooke/stability.h.
 std::optional<StepLimit> step_limit(const Scene& scene, const Method& method);
 
 }  // namespace hooke::viewer
