@@ -136,7 +136,7 @@ TEST_CASE("who asks for it has long steps refused, or taken") {
   CHECK_FALSE(taking.step(1000).ok());
 }
 
-TEST_CASE("a step that would need more than a million parts is refused") {
+TEST_CASE("a step that would need more than a hundred thousand parts is refused") {
   Scene scene = hung_cloth(4, 4);
   scene.springs.stiffness[3] = 1e15;
   const std::vector<Fault> faults = validate(scene, Settings{.step = frame});

@@ -31,7 +31,7 @@ std::string_view to_string(Accumulation accumulation);
 
 /// What becomes of a step that is longer than the method surely bears (see largest_stable_step()).
 enum class UnstableStep {
-  divide,  ///< it is taken in as many equal substeps as it needs: the default
+  divide,  ///< it is taken in as many equal substeps as it needs, where 100,000 suffice: the default
   refuse,  ///< it is a fault of the settings
   take,    ///< it is taken as it is: for those who know the scene better than the bound does
 };

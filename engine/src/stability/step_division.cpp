@@ -13,8 +13,8 @@
 namespace hooke {
 namespace {
 
-/// More would hardly be meant.
-constexpr double most_substeps = 1e6;
+/// More would hardly be meant: each step would take as long as a simulation.
+constexpr double most_substeps = 1e5;
 
 bool bears_oscillations(const Method& method) {
   return std::visit([](const auto& one) { return one.oscillation_limit > 0.0; }, method);
