@@ -28,11 +28,11 @@ Settings validated(const Scene& scene, Settings settings) {
 template <class Real>
 Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
     : settings(validated<Real>(scene, std::move(given))),
+      substeps(substeps_of(scene, settings)),
       executor(executor_of(settings)),
       model(scene, settings.accumulation, *executor),
       forces(scene, model),
       scheme(settings.method, model.particles()),
-      substeps(substeps_of(scene, settings)),
       plan(make_plan(settings, model, forces, scheme, substeps)),
       workers(plan.tiles, executor->threads()),
       states(initial_state(scene, model), plan.states),

@@ -22,11 +22,11 @@ namespace hooke {
 template <class Real>
 struct Simulation<Real>::Parts {
   Settings settings;
+  std::uint64_t substeps;  ///< that each step is taken in
   std::shared_ptr<Executor> executor;
   Model<Real> model;
   Forces<Real> forces;
   Scheme<Real> scheme;
-  std::uint64_t substeps;  ///< that each step is taken in
   CompiledPlan<Real> plan;
   TileWorkers workers;
   StateRing<Real> states;

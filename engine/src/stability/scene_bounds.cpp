@@ -48,10 +48,11 @@ std::vector<double> masses(const Scene& scene) {
 }
 
 /// The largest that a particle has of what holds it whatever its springs, over its mass.
-double held_alone(const Scene& scene, const std::vector<double>& mass, const Weights& weights) {
+double held_alone(const Scene& scene, const Weights& weights) {
   const double on_each = pull_on_each(scene, weights);
+  if (on_each == 0.0) return 0.0;
   double largest = 0.0;
-  for (const double m : mass) largest = std::max(largest, on_each / m);
+  for (const double m : masses(scene)) largest = std::max(largest, on_each / m);
   return largest;
 }
 
@@ -66,7 +67,7 @@ double largest_eigenvalue(const Scene& scene, const Weights& weights) {
     const Index i = scene.springs.first[s], j = scene.springs.second[s];
     of_springs = std::max(of_springs, pull[i] / mass[i] + pull[j] / mass[j]);
   }
-  return of_springs + held_alone(scene, mass, weights);
+  return of_springs + held_alone(scene, weights);
 }
 
 /// The h > 0 at which h^2 k + 2 h c = 4; infinite where there is none.
@@ -91,27 +92,23 @@ double stability_number(const Scene& scene, double step) {
 
 double longest_kick_and_drift(const Scene& scene) {
   constexpr Weights of_stiffness{1.0, 0.0}, of_damping{0.0, 1.0};
-  const std::vector<double> mass = masses(scene);
-  const double pull_alone = held_alone(scene, mass, of_stiffness);
-  const double brake_alone = held_alone(scene, mass, of_damping);
-  // Over its mass, what pulls and what brakes at each particle: in one pass, as a scene may be large.
-  struct Held {
-    double pull = 0.0, brake = 0.0;
-  };
-  std::vector<Held> held(mass.size());
-  const Springs& springs = scene.springs;
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    for (const Index end : {springs.first[s], springs.second[s]}) {
-      held[end].pull += springs.stiffness[s];
-      held[end].brake += springs.damping_of(s);
+  // Over its mass, what pulls and what brakes at each particle. A scene may be large: what it lacks takes no
+  // memory here.
+  const bool damped = !scene.springs.damping.empty();
+  std::vector<double> pull = pulls(scene, of_stiffness);
+  std::vector<double> brake = damped ? pulls(scene, of_damping) : std::vector<double>();
+  for (std::vector<double>* sums : {&pull, &brake}) {
+    for (std::size_t i = 0; i < sums->size(); ++i) (*sums)[i] /= scene.particles.mass[i];
+    for (const Pin& pin : scene.pins) {
+      if (!sums->empty()) (*sums)[pin.particle] = 0.0;
     }
   }
-  for (std::size_t i = 0; i < held.size(); ++i) held[i] = {held[i].pull / mass[i], held[i].brake / mass[i]};
+  const double pull_alone = held_alone(scene, of_stiffness), brake_alone = held_alone(scene, of_damping);
   double longest = step_at_the_limit(pull_alone, brake_alone);
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    const Held &one = held[springs.first[s]], &other = held[springs.second[s]];
-    longest = std::min(longest, step_at_the_limit(one.pull + other.pull + pull_alone,
-                                                  one.brake + other.brake + brake_alone));
+  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
+    const Index i = scene.springs.first[s], j = scene.springs.second[s];
+    longest = std::min(longest, step_at_the_limit(pull[i] + pull[j] + pull_alone,
+                                                  (damped ? brake[i] + brake[j] : 0.0) + brake_alone));
   }
   return longest;
 }
