@@ -39,6 +39,12 @@ bool Forces<Real>::calls_user() const {
 }
 
 template <class Real>
+bool Forces<Real>::has_effect_derivatives() const {
+  return std::any_of(effects_.begin(), effects_.end(),
+                     [](const auto& effect) { return effect->has_derivative(); });
+}
+
+template <class Real>
 void Forces<Real>::scatter(const State<Real>& state, Executor& executor) {
   const std::size_t grain = std::max<std::size_t>(1, scattered_blocks / batches_->batch_blocks);
   // One thread shares nothing.

@@ -37,7 +37,20 @@ class Forces {
     } else {
       force = StripForce<Real>{};
     }
+    add_effects(strip, time, force);
+  }
+
+  /// Adds the effects' force [N] on the particles of a strip at `time` [s], without the springs'.
+  void add_effects(const Strip<Real>& strip, double time, StripForce<Real>& force) const {
     for (const StripEffectPointer<Real>& effect : effects_) effect->add_force(strip, time, force);
+  }
+
+  bool has_effect_derivatives() const;
+
+  /// Adds the weighted derivative of the effects' force, as far as they know it (StripEffect).
+  void add_effect_derivatives(const Strip<Real>& strip, const DerivativeWeights<Real>& weights,
+                              StripBlocks<Real>& blocks) const {
+    for (const StripEffectPointer<Real>& effect : effects_) effect->add_derivative(strip, weights, blocks);
   }
 
   /// Forgets sums that no block took, after a step that was broken off.

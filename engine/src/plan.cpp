@@ -47,6 +47,16 @@ Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Force
   return {"particles", std::move(stages), {}, run};
 }
 
+template <class Real>
+Sweep<Real> equation_sweep(const Model<Real>& model, const Forces<Real>& forces,
+                           const SolvedSteps<Real>& solved) {
+  std::vector<Stage> stages = forces.strip_stages();
+  stages.push_back(solved.stage());
+  stages.back().bytes += model.inverse_mass.bytes();
+  if (!model.moving_pins.empty()) stages.push_back(pin_stage(model));
+  return {"equations", std::move(stages), {}, {}};
+}
+
 /// Bytes that steps read and write for a block, to see how many blocks stay in a cache.
 template <class Real>
 std::size_t block_bytes(const Model<Real>& model, const Forces<Real>& forces, const Scheme<Real>& scheme) {
@@ -80,15 +90,17 @@ std::string tiles_text(const CompiledPlan<Real>& plan) {
 
 template <class Real>
 CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
-                             Scheme<Real>& scheme, std::uint64_t substeps) {
+                             Scheme<Real>& scheme, const SolvedSteps<Real>* solved, std::uint64_t substeps) {
   CompiledPlan<Real> plan;
   if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces, scheme));
-  plan.sweeps.push_back(particle_sweep(settings.method, model, forces, scheme));
+  plan.sweeps.push_back(solved != nullptr ? equation_sweep(model, forces, *solved)
+                                          : particle_sweep(settings.method, model, forces, scheme));
   plan.stages = scheme.stages();
-  plan.tiled = plan.sweeps.size() == 1 && !forces.calls_user();
+  plan.tiled = plan.sweeps.size() == 1 && !forces.calls_user() && solved == nullptr;
   const bool controlled = scheme.controlled() != nullptr;
+  const bool uses_before = solved != nullptr && solved->uses_before();
   plan.most_steps_at_once = plan.tiled && !controlled ? most_steps_at_once : 1;
-  plan.states = plan.most_steps_at_once > 1 || controlled || substeps > 1 ? 3 : 2;
+  plan.states = plan.most_steps_at_once > 1 || controlled || substeps > 1 || uses_before ? 3 : 2;
   plan.shown.substeps = substeps;
   plan.shown.stages = stages_of(plan.sweeps);
   plan.shown.model_bytes = model.order.bytes();
@@ -101,8 +113,8 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
 }
 
 template CompiledPlan<float> make_plan(const Settings&, const Model<float>&, Forces<float>&, Scheme<float>&,
-                                       std::uint64_t);
+                                       const SolvedSteps<float>*, std::uint64_t);
 template CompiledPlan<double> make_plan(const Settings&, const Model<double>&, Forces<double>&,
-                                        Scheme<double>&, std::uint64_t);
+                                        Scheme<double>&, const SolvedSteps<double>*, std::uint64_t);
 
 }  // namespace hooke

@@ -11,11 +11,13 @@
 #include "methods/scheme.h"
 #include "model/model.h"
 #include "model/tiles.h"
+#include "solve/solved_steps.h"
 #include "substep.h"
 
 namespace hooke {
 
-/// One pass over particles or springs: one or more stages, fused. It has one of the two functions.
+/// One pass over particles or springs: one or more stages, fused. It has one of the two functions, or none
+/// where the method solves equations and goes through it as often as that needs.
 template <class Real>
 struct Sweep {
   std::string name;
@@ -39,10 +41,10 @@ struct CompiledPlan {
   Plan shown;
 };
 
-/// `model`, `forces` and `scheme` must live as long as the plan. Each step is taken in `substeps`. The bytes
-/// of the state are left for who makes it.
+/// `model`, `forces` and `scheme` must live as long as the plan. `solved` is null where the method solves no
+/// equations. Each step is taken in `substeps`. The bytes of the state are left for who makes it.
 template <class Real>
 CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
-                             Scheme<Real>& scheme, std::uint64_t substeps);
+                             Scheme<Real>& scheme, const SolvedSteps<Real>* solved, std::uint64_t substeps);
 
 }  // namespace hooke

@@ -16,6 +16,10 @@ std::string Report::message() const {
         << "smallest_step, so the step was not taken and the state before it is kept; use a larger "
            "tolerance, "
            "double precision or a smaller smallest_step";
+  } else if (flags & flag_not_converged) {
+    out << "by step " << step << " (time " << time << " s) a step's equations were not solved to the "
+        << "tolerance: the last iteration still moved particles by " << residual
+        << " of the scene's size; allow more iterations, a larger tolerance or use double precision";
   } else if (flags & flag_steps_dropped) {
     out << "the frame asked for more steps than the cap; " << dropped_seconds
         << " s were dropped; raise max_steps_per_advance or use a larger step";

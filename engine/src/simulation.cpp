@@ -183,6 +183,7 @@ void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
   p.whole.forget();
   // What error control knows of the forces here may depend on the velocity.
   if (p.controlled) p.controlled->restart(p.controlled->next_step(), p.controlled->last_error());
+  if (p.solved) p.solved->forget();
 }
 
 template <class Real>

@@ -1,6 +1,7 @@
 #include "simulation_parts.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "model/precision.h"
 #include "scene/scene_size.h"
@@ -23,6 +24,12 @@ Settings validated(const Scene& scene, Settings settings) {
   return settings;
 }
 
+template <class Real>
+std::optional<SolvedSteps<Real>> solved_steps(const Method& method, const SolverContext<Real>& context) {
+  if (!solves_equations(method)) return {};
+  return std::optional<SolvedSteps<Real>>(std::in_place, method, context);
+}
+
 }  // namespace
 
 template <class Real>
@@ -33,7 +40,8 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
       model(scene, settings.accumulation, *executor),
       forces(scene, model),
       scheme(settings.method, model.particles()),
-      plan(make_plan(settings, model, forces, scheme, substeps)),
+      solved(solved_steps<Real>(settings.method, {scene, model, forces, *executor})),
+      plan(make_plan(settings, model, forces, scheme, solved ? &*solved : nullptr, substeps)),
       workers(plan.tiles, executor->threads()),
       states(initial_state(scene, model), plan.states),
       between(scheme.states_between(), states.now()),
@@ -58,6 +66,7 @@ auto Simulation<Real>::Parts::attempt(const Attempt& attempt) {
     forces.clear();  // sums that no block took
     states.drop();
     if (controlled) controlled->restart(0.0, 1.0);
+    if (solved) solved->forget();
     throw;
   }
 }
@@ -147,11 +156,40 @@ void Simulation<Real>::Parts::take_controlled_steps(std::uint64_t count, Report&
 }
 
 template <class Real>
+void Simulation<Real>::Parts::take_solved_steps(std::uint64_t count, Report& report) {
+  const auto start = std::chrono::steady_clock::now();
+  while (report.steps_taken < count && report.ok()) {
+    const StepTimes at{time_at_step_0, steps, settings.step};
+    const StageResult result =
+        attempt([&] { return solved->take(settings.step, states.now().time, at.after(1), states); });
+    report.force_evaluations += result.force_evaluations;
+    report.solver_iterations += result.iterations;
+    report.linear_iterations += result.linear_iterations;
+    report.first_bad_particle = solved->first_bad(states);
+    if (report.first_bad_particle != Report::none) {
+      states.drop();
+      solved->forget();
+      report.flags |= flag_not_finite;
+      break;
+    }
+    states.advance(1);
+    solved->remember();
+    ++steps;
+    ++report.steps_taken;
+    report.residual = std::max(report.residual, result.residual);
+    if (!result.converged) report.flags |= flag_not_converged;
+  }
+  times.front().seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+template <class Real>
 Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
   for (SweepTime& time : times) time.seconds = 0.0;
   Report report;
   if (controlled) {
     take_controlled_steps(count, report);
+  } else if (solved) {
+    take_solved_steps(count, report);
   } else {
     take_fixed_steps(count, report);
   }

@@ -14,6 +14,7 @@
 #include "model/model.h"
 #include "parallel/tile_workers.h"
 #include "plan.h"
+#include "solve/solved_steps.h"
 #include "state_ring.h"
 
 namespace hooke {
@@ -27,6 +28,7 @@ struct Simulation<Real>::Parts {
   Model<Real> model;
   Forces<Real> forces;
   Scheme<Real> scheme;
+  std::optional<SolvedSteps<Real>> solved;  ///< of a method that solves equations
   CompiledPlan<Real> plan;
   TileWorkers workers;
   StateRing<Real> states;
@@ -62,6 +64,7 @@ struct Simulation<Real>::Parts {
   /// Takes as many steps as go well, up to `count`.
   void take_fixed_steps(std::uint64_t count, Report& report);
   void take_controlled_steps(std::uint64_t count, Report& report);
+  void take_solved_steps(std::uint64_t count, Report& report);
 
   /// Takes `count` steps, with at most plan.most_steps_at_once substeps in all or only one of them, and
   /// returns Report::none; or returns a particle that went bad and stays in the state before.

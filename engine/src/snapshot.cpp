@@ -23,15 +23,31 @@ void check_values(const char* what, const std::vector<Real>& values, std::size_t
   }
 }
 
-/// Velocities as a snapshot has them.
+/// Vectors as a snapshot has them; vector_of gives the one at a place of the engine's order.
+template <class Real, class VectorOf>
+std::vector<Real> vectors_of(const Order& order, const VectorOf& vector_of) {
+  std::vector<Real> values(3 * order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Eigen::Matrix<Real, 3, 1> vector = vector_of(order.engine(i));
+    std::copy(vector.begin(), vector.end(), values.begin() + std::ptrdiff_t(3 * i));
+  }
+  return values;
+}
+
 template <class Real>
 std::vector<Real> velocities_of(const State<Real>& state, const Order& order) {
-  std::vector<Real> velocities(3 * state.size());
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Eigen::Matrix<Real, 3, 1> velocity = state.velocity(order.engine(i));
-    std::copy(velocity.begin(), velocity.end(), velocities.begin() + std::ptrdiff_t(3 * i));
+  return vectors_of<Real>(order, [&](Index e) { return state.velocity(e); });
+}
+
+/// Sets a state's positions and velocities to those of a snapshot.
+template <class Real>
+void set_state(const std::vector<Real>& positions, const std::vector<Real>& velocities, const Order& order,
+               State<Real>& state) {
+  using Vector = Eigen::Map<const Eigen::Matrix<Real, 3, 1>>;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    state.set_position(order.engine(i), Vector(&positions[3 * i]));
+    state.set_velocity(order.engine(i), Vector(&velocities[3 * i]));
   }
-  return velocities;
 }
 
 /// A hash of the positions and velocities of a snapshot.
@@ -43,6 +59,12 @@ std::uint64_t hash_of_state(const Snapshot<Real>& snapshot) {
 template <class Real>
 void check_memory(const MethodMemory<Real>& memory, std::size_t particles) {
   if (!memory.velocities.empty()) check_values("the method's velocities", memory.velocities, particles);
+  require(memory.positions_before.size() == memory.velocities_before.size(),
+          "the method has a different number of positions_before and of velocities_before");
+  if (!memory.positions_before.empty()) {
+    check_values("the method's positions_before", memory.positions_before, particles);
+    check_values("the method's velocities_before", memory.velocities_before, particles);
+  }
   const auto usable = [](double value) { return std::isfinite(value) && value >= 0.0; };
   require(std::isfinite(memory.pending_kick), "the method's pending_kick is not finite; give a finite value");
   require(usable(memory.next_step), "the method's next_step is not a time; give a finite value >= 0");
@@ -72,6 +94,12 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
     snapshot.method.next_step = p.controlled->next_step();
     snapshot.method.last_error = p.controlled->last_error();
   }
+  if (p.solved && p.solved->knows_before()) {
+    const State<Real>& before = p.states.before();
+    snapshot.method.positions_before =
+        vectors_of<Real>(p.model.order, [&](Index e) { return before.position(e); });
+    snapshot.method.velocities_before = velocities_of(before, p.model.order);
+  }
   return snapshot;
 }
 
@@ -89,16 +117,19 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
       snapshot.method.state == hash_of_state(snapshot) ? snapshot.method : MethodMemory<Real>{};
   const bool pending = !memory.velocities.empty() && memory.pending_kick == last_kick;
   const std::vector<Real>& velocities = pending ? memory.velocities : snapshot.velocities;
-  for (std::size_t i = 0; i < p.model.particles(); ++i) {
-    const Index e = p.model.order.engine(i);
-    p.states.now().set_position(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&snapshot.positions[3 * i]));
-    p.states.now().set_velocity(e, Eigen::Map<const Eigen::Matrix<Real, 3, 1>>(&velocities[3 * i]));
-  }
+  set_state(snapshot.positions, velocities, p.model.order, p.states.now());
   p.states.now().time = snapshot.time;
   p.states.now().pending_kick = pending ? last_kick : 0.0;
   p.states.drop();
   p.whole.forget();
   if (p.controlled) p.controlled->restart(memory.next_step, memory.last_error);
+  if (p.solved) {
+    p.solved->forget();
+    if (p.solved->uses_before() && !memory.positions_before.empty()) {
+      set_state(memory.positions_before, memory.velocities_before, p.model.order, p.states.make_before());
+      p.solved->remember();
+    }
+  }
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
 }

@@ -45,6 +45,12 @@ class StateRing {
     before_ = start;
   }
 
+  /// Room for the state before the newest, which is to be given back. Needs three states.
+  State<Real>& make_before() {
+    before_ = (now_ + states_.size() - 1) % states_.size();
+    return states_[before_];
+  }
+
   /// Drops what was computed after the newest state, which becomes the one before too.
   void drop() { before_ = now_; }
 

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -11,8 +13,12 @@
 ///     method's wants forces that do not depend on velocity: damping and drag);
 ///   force_evaluations: that a step costs;
 ///   oscillation_limit: the largest h w, with step h [s] and angular frequency w [1/s], at which an undamped
-///     oscillation does not grow; 0 where it always does, so that only damped scenes stay bounded.
+///     oscillation does not grow; 0 where it always does, so that only damped scenes stay bounded; infinite
+///     where it never does.
 /// docs/methods.md compares them.
+///
+/// Those from BackwardEuler on solve equations in each step. They sum springs by Accumulation::gather only,
+/// and their force_evaluations count those of one iteration: a step takes as many iterations as it needs.
 
 namespace hooke {
 
@@ -119,14 +125,81 @@ struct DormandPrince {
   }
 };
 
+/// Of methods that bear steps of any length.
+inline constexpr double no_oscillation_limit = std::numeric_limits<double>::infinity();
+
+/// Backward Euler: velocity and position both from the forces at the end of the step: v' = v + h a(x', v'),
+/// x' = x + h v'. Stable for any step, and damps what it does not resolve: the amplitude of an oscillation
+/// falls by 1 / sqrt(1 + (h w)^2) each step (Baraff and Witkin 1998).
+///
+/// The equations are solved by Newton's method with line search; the force derivative is that of pressed
+/// springs without the negative stiffness across them, so that its systems stay positive definite (Choi and
+/// Ko 2002), and they are solved by conjugate gradients, preconditioned by the block of each particle.
+struct BackwardEuler {
+  double tolerance = 1e-6;  ///< change of positions of the last iteration over the scene's size [1], > 0
+  std::uint64_t most_iterations = 50;  ///< of Newton's method in a step, >= 1
+
+  static constexpr int order = 1, force_evaluations = 1;
+  static constexpr double oscillation_limit = no_oscillation_limit;
+
+  static constexpr std::string_view name = "backward_euler";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("tolerance", self.tolerance);
+    visit("most_iterations", self.most_iterations);
+  }
+};
+
+/// Implicit midpoint rule: x' = x + h (v + v') / 2, v' = v + h a at the mean of both states. Keeps the
+/// amplitude of oscillations whatever the step, and angular momentum; solved like BackwardEuler, of which it
+/// is half a step, and as much further.
+struct ImplicitMidpoint {
+  double tolerance = 1e-6;  ///< change of positions of the last iteration over the scene's size [1], > 0
+  std::uint64_t most_iterations = 50;  ///< of Newton's method in a step, >= 1
+
+  static constexpr int order = 2, force_evaluations = 1;
+  static constexpr double oscillation_limit = no_oscillation_limit;
+
+  static constexpr std::string_view name = "implicit_midpoint";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("tolerance", self.tolerance);
+    visit("most_iterations", self.most_iterations);
+  }
+};
+
+/// Backward differentiation of order 2: x' = 4/3 x - 1/3 x" + 2/3 h v' with x" the state one step before, and
+/// likewise v' (Curtiss and Hirschfelder 1952). Damps what it does not resolve, and slow motions much less
+/// than backward Euler. The first step, and that after a change from outside, is of the implicit midpoint
+/// rule. Solved like BackwardEuler.
+struct Bdf2 {
+  double tolerance = 1e-6;  ///< change of positions of the last iteration over the scene's size [1], > 0
+  std::uint64_t most_iterations = 50;  ///< of Newton's method in a step, >= 1
+
+  static constexpr int order = 2, force_evaluations = 1;
+  static constexpr double oscillation_limit = no_oscillation_limit;
+
+  static constexpr std::string_view name = "bdf2";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("tolerance", self.tolerance);
+    visit("most_iterations", self.most_iterations);
+  }
+};
+
 using Method = std::variant<SymplecticEuler, ExplicitEuler, Midpoint, Heun, RungeKutta4, Verlet, BlanesMoan,
-                            DormandPrince>;
+                            DormandPrince, BackwardEuler, ImplicitMidpoint, Bdf2>;
 
 /// One of each method, with its default parameters, in the order above.
 inline constexpr auto all_methods = []<std::size_t... I>(std::index_sequence<I...>) {
   return std::array{Method(std::in_place_index<I>)...};
 }
 (std::make_index_sequence<std::variant_size_v<Method>>{});
+
+/// Whether the method solves equations in each step.
+constexpr bool solves_equations(const Method& method) {
+  return std::visit([](const auto& one) { return one.oscillation_limit == no_oscillation_limit; }, method);
+}
 
 /// The method's name, as scene files and reports say it.
 constexpr std::string_view to_string(const Method& method) {

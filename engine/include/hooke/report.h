@@ -16,6 +16,7 @@ enum Flag : std::uint32_t {
   flag_not_finite = 1,     ///< a position or velocity became infinite or not a number; the step was not taken
   flag_steps_dropped = 2,  ///< a frame asked for more steps than the cap; time was dropped
   flag_step_too_small = 4,  ///< error control needs a shorter step than it may take; the step was not taken
+  flag_not_converged = 8,   ///< a step was taken whose equations were not solved to the tolerance
 };
 
 /// Time that a sweep of the plan took, summed over the steps of one call.
@@ -32,10 +33,14 @@ struct Report {
   std::uint64_t steps_taken = 0;        ///< good steps in this call
   std::uint64_t force_evaluations = 0;  ///< of all particles, in good steps and in those that led to them
   std::uint64_t rejected_steps = 0;     ///< that error control took again with a shorter step
-  std::uint64_t step = 0;               ///< number of the last step tried, counted from 1 since the start
-  double time = 0.0;                    ///< [s] of the newest good state
-  double interpolation = 1.0;           ///< see Tick; 1 after step()
-  double dropped_seconds = 0.0;         ///< [s] see Tick
+  std::uint64_t solver_iterations = 0;  ///< of methods that solve equations, in all steps of this call
+  std::uint64_t linear_iterations = 0;  ///< of the linear solver within those
+  double residual = 0.0;       ///< largest change of positions in the last iteration of a step, RMS over the
+                               ///< scene's size [1]
+  std::uint64_t step = 0;      ///< number of the last step tried, counted from 1 since the start
+  double time = 0.0;           ///< [s] of the newest good state
+  double interpolation = 1.0;  ///< see Tick; 1 after step()
+  double dropped_seconds = 0.0;  ///< [s] see Tick
   Index first_bad_particle =
       none;  ///< lowest number, in the user's numbering, with a value that is not finite
   std::span<const SweepTime> sweeps;  ///< time of each sweep; valid until the next call on the simulation

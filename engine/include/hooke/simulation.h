@@ -73,6 +73,8 @@ struct MethodMemory {
   double pending_kick = 0.0;     ///< [s] of acceleration that these velocities lack
   double next_step = 0.0;        ///< [s] that error control will try next; 0: it starts afresh
   double last_error = 1.0;       ///< that it found last
+  /// Like a snapshot's, of the state one step before, by a method that reads two; empty: it starts afresh.
+  std::vector<Real> positions_before, velocities_before;
 };
 
 /// A copy of everything that changes while a simulation runs. Restores only into simulations of the same

@@ -60,6 +60,15 @@ class DragForce final : public StripEffect<Real> {
     add_drag(strip, c_, force);
   }
 
+  void add_derivative(const Strip<Real>& strip, const DerivativeWeights<Real>& weights,
+                      StripBlocks<Real>& blocks) const override {
+    for (Real* const diagonal : {blocks.xx, blocks.yy, blocks.zz}) {
+      for (std::size_t lane = 0; lane < strip.lanes; ++lane) diagonal[lane] += weights.damping * c_;
+    }
+  }
+
+  bool has_derivative() const override { return true; }
+
   Stage stage() const override { return {std::string(Drag::name), {}, {"velocity"}, {}, 0}; }
 
  private:

@@ -90,6 +90,23 @@ class GroundPlaneForce final : public StripEffect<Real> {
     add_push(strip, plane_, force);
   }
 
+  void add_derivative(const Strip<Real>& strip, const DerivativeWeights<Real>& weights,
+                      StripBlocks<Real>& blocks) const override {
+    const Plane<Real>& p = plane_;
+    const Real weight = weights.stiffness * p.stiffness + weights.damping * p.damping;
+    for (std::size_t lane = 0; lane < strip.particles; ++lane) {
+      const Real depth = p.height - (p.nx * strip.x[lane] + p.ny * strip.y[lane] + p.nz * strip.z[lane]);
+      const Real speed = p.nx * strip.vx[lane] + p.ny * strip.vy[lane] + p.nz * strip.vz[lane];
+      if (!(depth > Real(0) && p.stiffness * depth > p.damping * speed)) continue;
+      blocks.xx[lane] += weight * p.nx * p.nx;
+      blocks.xy[lane] += weight * p.nx * p.ny;
+      blocks.xz[lane] += weight * p.nx * p.nz;
+      blocks.yy[lane] += weight * p.ny * p.ny;
+      blocks.yz[lane] += weight * p.ny * p.nz;
+      blocks.zz[lane] += weight * p.nz * p.nz;
+    }
+  }
+
   double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
     for (std::size_t lane = 0; lane < strip.particles; ++lane) {
@@ -99,6 +116,8 @@ class GroundPlaneForce final : public StripEffect<Real> {
     }
     return sum;
   }
+
+  bool has_derivative() const override { return true; }
 
   Stage stage() const override {
     return {std::string(GroundPlane::name), {}, {"position", "velocity"}, {}, 0};

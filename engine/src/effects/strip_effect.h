@@ -6,6 +6,7 @@
 #include <hooke/report.h>
 #include <hooke/scene.h>
 
+#include "force_derivative.h"
 #include "model/model.h"
 #include "strip.h"
 
@@ -21,6 +22,13 @@ class StripEffect {
 
   /// Adds its force [N] at `time` [s] to the strip's.
   virtual void add_force(const Strip<Real>& strip, double time, StripForce<Real>& force) const = 0;
+
+  /// Adds the weighted derivative of its force, as far as it is known: of a particle's own position and
+  /// velocity, symmetric and without negative eigenvalues. An effect that adds nothing is taken for constant
+  /// by who solves equations, in each iteration anew.
+  virtual void add_derivative(const Strip<Real>&, const DerivativeWeights<Real>&, StripBlocks<Real>&) const {}
+
+  virtual bool has_derivative() const { return false; }
 
   /// Potential energy [J] of the strip's particles; 0 for an effect that has none.
   virtual double energy(const Strip<Real>&) const { return 0.0; }

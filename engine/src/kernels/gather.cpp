@@ -11,36 +11,20 @@ namespace hooke {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The forces on `vectors` vectors of particles, the first from particle `first` on, each a block further on
-/// than the one before; all have the list of slots `list`. The first is at lane `lane` of its block.
+/// The forces on vectors of particles, as for_each_spring() takes them.
 template <std::size_t vectors, class Reader, class List, class V = typename Reader::V>
 HWY_INLINE void gather(const Reader& reader, const List& list, std::size_t first, std::size_t lane,
                        Vector3<V>* HWY_RESTRICT sums) {
   const typename Reader::D d;
-  typename Reader::Ends own[vectors];
   Vector3<V> sum[vectors];
-  for (std::size_t v = 0; v < vectors; ++v) {
-    own[v] = reader.at(first + v * block_size);
-    sum[v] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-  }
-  const auto add = [&](std::size_t v, const auto& other, const auto& rows) HWY_ATTR {
-    const auto force = Reader::force_on_other(own[v], other, rows);
+  for (std::size_t v = 0; v < vectors; ++v) sum[v] = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  const auto add = [&](std::size_t v, const auto& own, const auto& other, const auto& rows) HWY_ATTR {
+    const auto force = Reader::force_on_other(own, other, rows);
     sum[v] = {hn::NegMulAdd(force.factor, force.apart.x, sum[v].x),
               hn::NegMulAdd(force.factor, force.apart.y, sum[v].y),
               hn::NegMulAdd(force.factor, force.apart.z, sum[v].z)};
   };
-  for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
-    const auto& slot = reader.slot(s);
-    const auto rows = reader.rows(slot, lane);
-    for (std::size_t v = 0; v < vectors; ++v)
-      add(v, reader.at(first + v * block_size + std::size_t(slot.shift)), rows);
-  }
-  if constexpr (vectors == 1) {
-    for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
-      const auto& slot = reader.slot(s);
-      add(0, reader.at(first - lane, reader.offsets(slot, lane)), reader.rows(slot, lane));
-    }
-  }
+  for_each_spring<vectors>(reader, list, first, lane, add);
   for (std::size_t v = 0; v < vectors; ++v) sums[v] = sum[v];
 }
 

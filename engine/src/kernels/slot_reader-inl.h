@@ -21,14 +21,14 @@ namespace {
 
 /// Reads what the slots of a block say, for the lanes of one vector: the ends of springs and their
 /// coefficients. It copies pointers, which no store through another can then make to be read again.
-template <class Real, bool damped, class Offset>
+template <class Real, bool damped, bool with_velocities, class Offset>
 class SlotReader {
  public:
   using D = hn::CappedTag<Real, block_size>;
   using V = hn::Vec<D>;
   using Slot = typename Slots<Real>::Slot;
 
-  /// Positions of some particles and, where springs are damped, their velocities.
+  /// Positions of some particles and, where they are wanted, their velocities.
   struct Ends {
     Vector3<V> position, velocity;
   };
@@ -57,7 +57,7 @@ class SlotReader {
   HWY_INLINE Ends at(std::size_t i) const {
     Ends ends;
     ends.position = load3(D(), x_ + i, y_ + i, z_ + i);
-    if constexpr (damped) ends.velocity = load3(D(), vx_ + i, vy_ + i, vz_ + i);
+    if constexpr (with_velocities) ends.velocity = load3(D(), vx_ + i, vy_ + i, vz_ + i);
     return ends;
   }
 
@@ -66,7 +66,7 @@ class SlotReader {
     const std::size_t base = block * packed_width;
     Ends ends;
     ends.position = load_packed(D(), packed_positions_ + base, offsets);
-    if constexpr (damped) ends.velocity = load_packed(D(), packed_velocities_ + base, offsets);
+    if constexpr (with_velocities) ends.velocity = load_packed(D(), packed_velocities_ + base, offsets);
     return ends;
   }
 
@@ -111,15 +111,38 @@ class SlotReader {
   const Real *packed_positions_, *packed_velocities_;
 };
 
-/// Calls visit with the SlotReader for these slots.
+template <bool damped, bool with_velocities, class Real, class Visit>
+HWY_INLINE void with_reader_of(const Slots<Real>& slots, const State<Real>& state, const Visit& visit) {
+  slots.long_offsets.empty() ? visit(SlotReader<Real, damped, with_velocities, std::int16_t>(slots, state))
+                             : visit(SlotReader<Real, damped, with_velocities, std::int32_t>(slots, state));
+}
+
+/// Calls visit with the SlotReader for these slots, which reads velocities where springs are damped.
 template <class Real, class Visit>
 HWY_INLINE void with_reader(const Slots<Real>& slots, const State<Real>& state, const Visit& visit) {
-  if (slots.damped) {
-    slots.long_offsets.empty() ? visit(SlotReader<Real, true, std::int16_t>(slots, state))
-                               : visit(SlotReader<Real, true, std::int32_t>(slots, state));
-  } else {
-    slots.long_offsets.empty() ? visit(SlotReader<Real, false, std::int16_t>(slots, state))
-                               : visit(SlotReader<Real, false, std::int32_t>(slots, state));
+  slots.damped ? with_reader_of<true, true>(slots, state, visit)
+               : with_reader_of<false, false>(slots, state, visit);
+}
+
+/// Calls add(v, own, other, rows) for each spring of `vectors` vectors of particles, the first from particle
+/// `first` on, each a block further on than the one before; all have the list of slots `list`. The first is
+/// at lane `lane` of its block.
+template <std::size_t vectors, class Reader, class List, class Add>
+HWY_INLINE void for_each_spring(const Reader& reader, const List& list, std::size_t first, std::size_t lane,
+                                const Add& add) {
+  typename Reader::Ends own[vectors];
+  for (std::size_t v = 0; v < vectors; ++v) own[v] = reader.at(first + v * block_size);
+  for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
+    const auto& slot = reader.slot(s);
+    const auto rows = reader.rows(slot, lane);
+    for (std::size_t v = 0; v < vectors; ++v)
+      add(v, own[v], reader.at(first + v * block_size + std::size_t(slot.shift)), rows);
+  }
+  if constexpr (vectors == 1) {
+    for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
+      const auto& slot = reader.slot(s);
+      add(0, own[0], reader.at(first - lane, reader.offsets(slot, lane)), reader.rows(slot, lane));
+    }
   }
 }
 

@@ -17,7 +17,9 @@ std::variant<Splitting, RungeKutta<Real>> family_of(const Method& method, std::s
   using Family = std::variant<Splitting, RungeKutta<Real>>;
   return std::visit(
       [&]<class M>(const M& data) -> Family {
-        if constexpr (Splits<M>) {
+        if constexpr (M::oscillation_limit == no_oscillation_limit) {
+          return Splitting{};  // of no stages
+        } else if constexpr (Splits<M>) {
           return splitting(data);
         } else {
           constexpr Kept kept = std::is_same_v<M, DormandPrince> ? Kept::for_error : Kept::for_later_stages;

@@ -12,8 +12,8 @@
 
 namespace hooke {
 
-/// A method, made ready to step a number of particles: one of the two families of methods, and its
-/// coefficients.
+/// A method, made ready to step a number of particles: one of the two families of explicit methods, and its
+/// coefficients. One that solves equations has no stages here.
 template <class Real>
 class Scheme {
  public:
@@ -32,7 +32,7 @@ class Scheme {
   bool needs_forces(std::size_t stage) const;
 
   /// States that are neither the start of a step nor its result: they are used by turns.
-  std::size_t states_between() const { return std::min<std::size_t>(stages() - 1, 2); }
+  std::size_t states_between() const { return std::clamp<std::size_t>(stages(), 1, 3) - 1; }
 
   /// Accelerations that stages keep.
   std::size_t bytes() const;

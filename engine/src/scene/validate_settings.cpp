@@ -17,6 +17,33 @@ void check_method(std::vector<Fault>& faults, const DormandPrince& method) {
   checks.positive("smallest_step", method.smallest_step, "s");
 }
 
+template <class Newton>
+void check_newton(std::vector<Fault>& faults, const Newton& method) {
+  const std::string name = "method (" + std::string(Newton::name) + ")";
+  const ElementChecks checks(faults, name);
+  checks.positive("tolerance", method.tolerance, "");
+  checks.at_least("most_iterations", method.most_iterations, 1);
+}
+
+void check_method(std::vector<Fault>& faults, const BackwardEuler& method) {
+  check_newton(faults, method);
+}
+
+void check_method(std::vector<Fault>& faults, const ImplicitMidpoint& method) {
+  check_newton(faults, method);
+}
+
+void check_method(std::vector<Fault>& faults, const Bdf2& method) {
+  check_newton(faults, method);
+}
+
+void check_accumulation(const ElementChecks& checks, const Settings& settings) {
+  if (!solves_equations(settings.method) || settings.accumulation == Accumulation::gather) return;
+  checks.add("accumulation is " + std::string(to_string(settings.accumulation)) + ", and " +
+                 std::string(to_string(settings.method)) + " sums springs by gather only",
+             "use gather");
+}
+
 }  // namespace
 
 std::vector<Fault> validate(const Scene& scene, const Settings& settings) {
@@ -25,6 +52,7 @@ std::vector<Fault> validate(const Scene& scene, const Settings& settings) {
   checks.positive("step", settings.step, "s");
   checks.at_least("max_steps_per_advance", settings.max_steps_per_advance, 1);
   std::visit([&](const auto& method) { check_method(faults, method); }, settings.method);
+  check_accumulation(checks, settings);
   if (faults.empty()) check_stability(faults, scene, settings);
   return faults;
 }

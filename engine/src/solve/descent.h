@@ -18,6 +18,9 @@ class DirectionSolver {
     std::uint64_t iterations = 0;
   };
 
+  /// Another stage begins.
+  virtual void begin() {}
+
   /// `at` is the state whose residual is given.
   virtual Result solve(const ImplicitStage<Real>& stage, const State<Real>& at,
                        const ParticleVectors<Real>& residual, ParticleVectors<Real>& direction) = 0;

@@ -83,8 +83,10 @@ double stable_radius(const ModeStep& step, double cosine, double sine) {
 
 ModeStep mode_step(const Method& method) {
   return std::visit(
-      [](const auto& data) -> ModeStep {
-        if constexpr (requires { splitting(data); }) {
+      []<class M>(const M& data) -> ModeStep {
+        if constexpr (M::oscillation_limit == no_oscillation_limit) {
+          return {};
+        } else if constexpr (requires { splitting(data); }) {
           return mode_step_of(splitting(data));
         } else {
           return mode_step_of(tableau(data));

@@ -15,7 +15,8 @@ bool is_kick_and_drift(const Method& method) {
 }  // namespace
 
 double largest_stable_step(const Scene& scene, const Method& method) {
-  if (std::holds_alternative<DormandPrince>(method)) return std::numeric_limits<double>::infinity();
+  if (std::holds_alternative<DormandPrince>(method) || solves_equations(method))
+    return std::numeric_limits<double>::infinity();
   if (is_kick_and_drift(method)) return longest_kick_and_drift(scene);
   return longest_step(method, highest_frequency(scene), highest_damping_rate(scene));
 }

@@ -7,7 +7,7 @@ namespace {
 
 template <class One>
 concept ChoosesSteps = requires(One one) {
-  one.tolerance;
+  one.smallest_step;
 };
 
 }  // namespace

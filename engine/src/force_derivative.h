@@ -1,0 +1,25 @@
+#pragma once
+
+#include "strip.h"
+
+namespace hooke {
+
+/// How much the two derivatives of forces count in a sum of both: stiffness (-dF/dx) [N/m] and damping
+/// (-dF/dv) [N s/m].
+template <class Real>
+struct DerivativeWeights {
+  Real stiffness, damping;
+};
+
+/// A symmetric 3x3 matrix for each particle of a strip.
+template <class Real>
+struct StripBlocks {
+  alignas(cache_line) Real xx[strip_blocks * block_size];
+  alignas(cache_line) Real xy[strip_blocks * block_size];
+  alignas(cache_line) Real xz[strip_blocks * block_size];
+  alignas(cache_line) Real yy[strip_blocks * block_size];
+  alignas(cache_line) Real yz[strip_blocks * block_size];
+  alignas(cache_line) Real zz[strip_blocks * block_size];
+};
+
+}  // namespace hooke

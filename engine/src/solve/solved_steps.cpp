@@ -1,0 +1,108 @@
+#include "solve/solved_steps.h"
+
+#include <variant>
+
+#include "methods/next_strip.h"
+
+namespace hooke {
+
+template <class Real>
+auto SolvedSteps<Real>::kind_of(const Method& method) -> Kind {
+  if (std::holds_alternative<ImplicitMidpoint>(method)) return Kind::middle;
+  return std::holds_alternative<Bdf2>(method) ? Kind::two_steps : Kind::end;
+}
+
+template <class Real>
+SolvedSteps<Real>::SolvedSteps(const Method& method, const SolverContext<Real>& context)
+    : kind_(kind_of(method)), model_(context.model), solver_(make_stage_solver(method, context)) {
+  if (uses_before()) from_.emplace(model_.particles(), packed_for(model_));
+}
+
+template <class Real>
+Stage SolvedSteps<Real>::stage() const {
+  Stage stage = solver_->stage();
+  if (from_) stage.bytes += from_->bytes();
+  return stage;
+}
+
+template <class Real>
+void SolvedSteps<Real>::guess(const ImplicitStage<Real>& stage, const State<Real>& now,
+                              State<Real>& next) const {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Eigen::Matrix<Real, 3, 1> velocity = now.velocity(i);
+    next.set_velocity(i, velocity);
+    next.set_position(i, model_.pinned(i)
+                             ? now.position(i)
+                             : Eigen::Matrix<Real, 3, 1>(stage.from.position(i) + Real(stage.h) * velocity));
+  }
+  move_pins<Real>(model_.moving_pins, stage.time, next);
+}
+
+template <class Real>
+StageResult SolvedSteps<Real>::take_end(double h, double time_after, const State<Real>& now,
+                                        State<Real>& next) {
+  const ImplicitStage<Real> stage{now, h, time_after};
+  guess(stage, now, next);
+  return solver_->solve(stage, next);
+}
+
+/// Half a step of backward Euler, and as much further along the same line.
+template <class Real>
+StageResult SolvedSteps<Real>::take_middle(double h, double time, double time_after, const State<Real>& now,
+                                           State<Real>& next) {
+  const ImplicitStage<Real> stage{now, 0.5 * h, 0.5 * (time + time_after)};
+  guess(stage, now, next);
+  const StageResult result = solver_->solve(stage, next);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (model_.pinned(i)) continue;
+    const Eigen::Matrix<Real, 3, 1> middle = next.velocity(i);
+    next.set_position(i, now.position(i) + Real(h) * middle);
+    next.set_velocity(i, Real(2) * middle - now.velocity(i));
+  }
+  move_pins<Real>(model_.moving_pins, time_after, next);
+  return result;
+}
+
+template <class Real>
+StageResult SolvedSteps<Real>::take_two_steps(double h, double time_after, const StateRing<Real>& states,
+                                              State<Real>& next) {
+  const State<Real>&now = states.now(), &before = states.before();
+  constexpr Real third = Real(1) / Real(3);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    from_->set_position(i, now.position(i) + third * (now.position(i) - before.position(i)));
+    from_->set_velocity(i, now.velocity(i) + third * (now.velocity(i) - before.velocity(i)));
+  }
+  const ImplicitStage<Real> stage{*from_, 2.0 / 3.0 * h, time_after};
+  guess(stage, now, next);
+  return solver_->solve(stage, next);
+}
+
+template <class Real>
+StageResult SolvedSteps<Real>::take(double h, double time, double time_after, StateRing<Real>& states) {
+  const State<Real>& now = states.now();
+  State<Real>& next = states.after(1);
+  const StageResult result = [&] {
+    if (kind_ == Kind::end) return take_end(h, time_after, now, next);
+    if (kind_ == Kind::two_steps && knows_before_) return take_two_steps(h, time_after, states, next);
+    return take_middle(h, time, time_after, now, next);
+  }();
+  next.time = time_after;
+  next.pending_kick = 0.0;
+  return result;
+}
+
+template <class Real>
+Index SolvedSteps<Real>::first_bad(StateRing<Real>& states) const {
+  State<Real>& next = states.after(1);
+  std::atomic<Index> bad{Report::none};
+  for_each_strip(0, block_count(next.size()), [&](std::size_t begin, std::size_t end) {
+    const Strip<Real> strip(next, begin, end);
+    note_first_bad(NextStrip<Real>(next, strip.first), strip, model_.order, bad);
+  });
+  return bad;
+}
+
+template class SolvedSteps<float>;
+template class SolvedSteps<double>;
+
+}  // namespace hooke
