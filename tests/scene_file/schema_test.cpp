@@ -29,6 +29,9 @@ Json json_of(double value) {
 Json json_of(Index value) {
   return value;
 }
+Json json_of(std::uint64_t value) {
+  return value;
+}
 Json json_of(const Vec3& value) {
   return {value.x(), value.y(), value.z()};
 }

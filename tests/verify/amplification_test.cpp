@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -91,7 +92,9 @@ TEST_CASE("amplitude and frequency of an undamped oscillation meet their closed 
 }
 
 TEST_CASE("what the methods say of themselves is what theory says, and no method is left out") {
-  CHECK(methods().size() + 1 == all_methods.size());  // Dormand and Prince's has no step of its own
+  const auto is_explicit = [](const Method& method) { return !solves_equations(method); };
+  const auto explicit_methods = std::count_if(all_methods.begin(), all_methods.end(), is_explicit);
+  CHECK(int(methods().size()) + 1 == explicit_methods);  // Dormand and Prince's has no step of its own
   for (const MethodTheory& theory : methods()) {
     CAPTURE(theory.name());
     CHECK(std::visit([](const auto& data) { return data.order; }, theory.method) == theory.order);

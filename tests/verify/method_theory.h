@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <hooke/methods.h>
-#include <Eigen/Core>
+#include <Eigen/LU>
 
 /// What theory says of each method, from the literature and not from the engine.
 
@@ -25,9 +25,14 @@ inline StepMatrix drift(double share, double z) {
   return StepMatrix{{1.0, share * z}, {0.0, 1.0}};
 }
 
+/// h times the derivative of (w x, v) by time.
+inline StepMatrix oscillator(double z, double zeta) {
+  return StepMatrix{{0.0, z}, {-z, -2.0 * zeta * z}};
+}
+
 /// A Runge-Kutta step: its stability polynomial, whose coefficients are given from the lowest.
 inline StepMatrix polynomial(std::initializer_list<double> coefficients, double z, double zeta) {
-  const StepMatrix one_step{{0.0, z}, {-z, -2.0 * zeta * z}};
+  const StepMatrix one_step = oscillator(z, zeta);
   StepMatrix power = StepMatrix::Identity(), sum = StepMatrix::Zero();
   for (double coefficient : coefficients) {
     sum += coefficient * power;
@@ -59,7 +64,7 @@ struct MethodTheory {
   std::string name() const { return std::string(to_string(method)); }
 };
 
-/// The methods with steps of one length.
+/// The explicit methods with steps of one length.
 inline std::vector<MethodTheory> methods() {
   const auto runge_kutta_2 = [](double z, double zeta) { return polynomial({1, 1, 1.0 / 2}, z, zeta); };
   return {
@@ -80,6 +85,21 @@ inline std::vector<MethodTheory> methods() {
          return kick(0.5, z, zeta) * drift(1, z) * kick(0.5, z, zeta);
        }},
       {BlanesMoan{}, true, 4, 6, blanes_moan},
+  };
+}
+
+/// Methods that solve equations, as far as one step is a matrix, solved to round-off.
+inline std::vector<MethodTheory> implicit_methods() {
+  return {
+      {BackwardEuler{.tolerance = 1e-13}, false, 1, 1,
+       [](double z, double zeta) -> StepMatrix {
+         return (StepMatrix::Identity() - oscillator(z, zeta)).inverse();
+       }},
+      {ImplicitMidpoint{.tolerance = 1e-13}, false, 2, 1,
+       [](double z, double zeta) -> StepMatrix {
+         const StepMatrix half = 0.5 * oscillator(z, zeta);
+         return (StepMatrix::Identity() - half).inverse() * (StepMatrix::Identity() + half);
+       }},
   };
 }
 

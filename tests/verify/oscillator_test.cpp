@@ -96,8 +96,8 @@ TEST_CASE(
     const DampedOscillator oscillator{mass, stiffness, 2.0 * zeta * std::sqrt(stiffness * mass), 0.01, 0.0};
     const double limit = 2.0 / w * (std::sqrt(1.0 + zeta * zeta) - zeta);
     const auto energy_after = [&](const Method& method, double h) {
-      Simulation<double> simulation(
-          oscillator.scene(), {.method = method, .step = h, .unstable_step = UnstableStep::take});
+      Simulation<double> simulation(oscillator.scene(),
+                                    {.method = method, .step = h, .unstable_step = UnstableStep::take});
       const double before = simulation.energy().total();
       REQUIRE(simulation.step(400).ok());
       return simulation.energy().total() / before;

@@ -136,6 +136,30 @@ TEST_CASE("networks without rest lengths step as their modes do, in every method
   }
 }
 
+TEST_CASE(
+    "networks without rest lengths step as their modes do in implicit methods, in steps of any length") {
+  for (const MethodTheory& theory : implicit_methods()) {
+    CAPTURE(theory.name());
+    double worst = 0.0;
+    for (const Scene& scene : linear_networks()) {
+      const Modes modes(scene);
+      for (const double z : {0.5, 5.0, 500.0}) {
+        const double h = z / modes.highest();
+        const int steps = 20;
+        const auto exact = modes.moved(scene, [&](double w) { return power_of_step(theory, w, h, steps); });
+        Simulation<double> simulation(scene, {.method = theory.method, .step = h});
+        const Report report = simulation.step(steps);
+        REQUIRE(report.ok());
+        CHECK(report.flags == flag_none);
+        const double error = relative_error(simulation, exact);
+        CHECK(error < 1e-9);
+        worst = std::max(worst, error);
+      }
+    }
+    MESSAGE(theory.name() << ": within " << worst << " of the size");
+  }
+}
+
 TEST_CASE("networks without rest lengths follow their modes' exact motion") {
   for (const Method& method : {Method(RungeKutta4{}), Method(BlanesMoan{})}) {
     for (const Scene& scene : linear_networks()) {

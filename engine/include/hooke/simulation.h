@@ -29,6 +29,11 @@ inline constexpr std::array accumulations{Accumulation::gather, Accumulation::co
 
 std::string_view to_string(Accumulation accumulation);
 
+/// Whether the method can run on forces that are summed so: methods that solve equations gather only.
+constexpr bool can_accumulate(const Method& method, Accumulation accumulation) {
+  return !solves_equations(method) || accumulation == Accumulation::gather;
+}
+
 /// What becomes of a step that is longer than the method surely bears (see largest_stable_step()).
 enum class UnstableStep {
   divide,  ///< it is taken in as many equal substeps as it needs, where 100,000 suffice: the default

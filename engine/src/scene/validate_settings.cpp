@@ -38,7 +38,7 @@ void check_method(std::vector<Fault>& faults, const Bdf2& method) {
 }
 
 void check_accumulation(const ElementChecks& checks, const Settings& settings) {
-  if (!solves_equations(settings.method) || settings.accumulation == Accumulation::gather) return;
+  if (can_accumulate(settings.method, settings.accumulation)) return;
   checks.add("accumulation is " + std::string(to_string(settings.accumulation)) + ", and " +
                  std::string(to_string(settings.method)) + " sums springs by gather only",
              "use gather");

@@ -18,7 +18,7 @@ constexpr double margin = 100.0;  // errors so much below the tolerance asked fo
 
 MethodLadder::MethodLadder(const Method& method, const StepLimits& limits, const StudySettings& settings,
                            std::uint64_t unit)
-    : method_(method),
+    : method_(solved_for_errors(method, settings.tolerance)),
       looks_(rounded_steps(double(limits.looks(method)), unit)),
       tolerance_(settings.tolerance),
       horizon_(settings.horizon),
@@ -56,10 +56,20 @@ Candidate MethodLadder::take(std::size_t number) {
   return candidate;
 }
 
+void MethodLadder::note_cost(const Candidate& candidate, const MeasuredRun& run) {
+  // What a method that solves equations evaluates in a step is not known before: its time is taken for that
+  // of the evaluations that the candidate was expected to have.
+  const double expected = candidate.force_evaluations *
+                          double(run.samples.empty() ? 0 : run.samples.back().sample.tick) / last_tick;
+  const double evaluations =
+      solves_equations(method_) && expected > 0.0 ? expected : double(run.force_evaluations);
+  if (evaluations > 0.0) seconds_each_evaluation_ = run.seconds / evaluations;
+}
+
 void MethodLadder::add_result(const Candidate& candidate, const MeasuredRun& run, double error,
                               bool is_enough) {
   const bool stable = run.end == RunEnd::reached;
-  if (run.force_evaluations > 0) seconds_each_evaluation_ = run.seconds / double(run.force_evaluations);
+  note_cost(candidate, run);
   stable_runs_ += stable;
   const bool far_below = error < tolerance_ / margin && stable_runs_ >= fewest_stable_runs;
   const bool finer = !stable || !(is_enough || far_below);

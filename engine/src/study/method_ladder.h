@@ -37,6 +37,7 @@ class MethodLadder {
 
  private:
   bool chooses_steps() const;
+  void note_cost(const Candidate& candidate, const MeasuredRun& run);
   void add_steps(std::uint64_t steps);
   void add_tolerance(double tolerance, double force_evaluations);
   void add_coarser(std::uint64_t steps);

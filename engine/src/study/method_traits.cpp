@@ -10,6 +10,11 @@ concept ChoosesSteps = requires(One one) {
   one.smallest_step;
 };
 
+template <class One>
+concept SolvesToTolerance = requires(One one) {
+  one.most_iterations;
+};
+
 }  // namespace
 
 MethodTraits traits_of(const Method& method) {
@@ -20,6 +25,16 @@ MethodTraits traits_of(const Method& method) {
         return traits;
       },
       method);
+}
+
+Method solved_for_errors(Method method, double error) {
+  constexpr double share = 1e-4;
+  std::visit(
+      [&](auto& one) {
+        if constexpr (SolvesToTolerance<decltype(one)>) one.tolerance = share * error;
+      },
+      method);
+  return method;
 }
 
 Method with_tolerance(Method method, double tolerance, double horizon) {

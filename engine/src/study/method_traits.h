@@ -19,6 +19,10 @@ struct MethodTraits {
 
 MethodTraits traits_of(const Method& method);
 
+/// The same method, with its equations, if it solves any, solved so far that errors of a share `error` of the
+/// scene's size come from its steps.
+Method solved_for_errors(Method method, double error);
+
 /// The same method with another tolerance, if it has one. Over a time of `horizon` [s] its steps may be as
 /// short as double tells apart: a force that jumps needs such, and a study is not to end there.
 Method with_tolerance(Method method, double tolerance, double horizon);

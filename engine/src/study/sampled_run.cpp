@@ -11,7 +11,7 @@ Settings settings_of(const StudySettings& settings, const RunPlan& plan) {
   result.method = plan.method;
   result.step = settings.horizon / double(plan.steps);
   result.unstable_step = UnstableStep::take;  // how a method fails is part of what is studied
-  result.accumulation = settings.accumulation;
+  if (can_accumulate(plan.method, settings.accumulation)) result.accumulation = settings.accumulation;
   result.executor = settings.executor;
   return result;
 }

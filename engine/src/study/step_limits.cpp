@@ -27,6 +27,7 @@ StepLimits::StepLimits(const Scene& scene, double horizon)
       damping_(hooke::highest_damping_rate(scene)) {}
 
 std::uint64_t StepLimits::stable_steps(const Method& method) const {
+  if (solves_equations(method)) return fewest_steps;
   const double given = traits_of(method).oscillation_limit;
   const double limit = given > 0.0 ? given : 2.0;
   // h^2 w^2 + 2 h c = limit^2, as in stability_number(), solved for 1 / h: no case is apart where w is 0.

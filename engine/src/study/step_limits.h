@@ -16,7 +16,8 @@ class StepLimits {
 
   /// The fewest steps to the horizon with which a method is sure to be stable on a scene that is not damped
   /// more than it swings. A method that lets every oscillation grow is taken for one with a limit of 2, where
-  /// a study of it may begin. For a method that chooses its steps, about how many it will take at least.
+  /// a study of it may begin. For a method that chooses its steps, about how many it will take at least;
+  /// for one that bears any, the fewest that runs take.
   std::uint64_t stable_steps(const Method& method) const;
 
   /// Steps with which a method of order 4 errs by about `error` radians [1] in the fastest oscillation over
