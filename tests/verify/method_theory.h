@@ -26,13 +26,13 @@ inline StepMatrix drift(double share, double z) {
 }
 
 /// h times the derivative of (w x, v) by time.
-inline StepMatrix oscillator(double z, double zeta) {
+inline StepMatrix derivative_by_time(double z, double zeta) {
   return StepMatrix{{0.0, z}, {-z, -2.0 * zeta * z}};
 }
 
 /// A Runge-Kutta step: its stability polynomial, whose coefficients are given from the lowest.
 inline StepMatrix polynomial(std::initializer_list<double> coefficients, double z, double zeta) {
-  const StepMatrix one_step = oscillator(z, zeta);
+  const StepMatrix one_step = derivative_by_time(z, zeta);
   StepMatrix power = StepMatrix::Identity(), sum = StepMatrix::Zero();
   for (double coefficient : coefficients) {
     sum += coefficient * power;
@@ -93,11 +93,11 @@ inline std::vector<MethodTheory> implicit_methods() {
   return {
       {BackwardEuler{.tolerance = 1e-13}, false, 1, 1,
        [](double z, double zeta) -> StepMatrix {
-         return (StepMatrix::Identity() - oscillator(z, zeta)).inverse();
+         return (StepMatrix::Identity() - derivative_by_time(z, zeta)).inverse();
        }},
       {ImplicitMidpoint{.tolerance = 1e-13}, false, 2, 1,
        [](double z, double zeta) -> StepMatrix {
-         const StepMatrix half = 0.5 * oscillator(z, zeta);
+         const StepMatrix half = 0.5 * derivative_by_time(z, zeta);
          return (StepMatrix::Identity() - half).inverse() * (StepMatrix::Identity() + half);
        }},
   };
