@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "solve/triangular_solve.h"
+
+namespace hooke {
+
+/// Symmetric, by its lower triangle.
+using SymmetricMatrix = Eigen::SparseMatrix<double>;
+
+/// The Cholesky factor of a sparse positive definite matrix, for many right-hand sides: found in double by
+/// Eigen, in the order of approximate minimum degree (Amestoy, Davis and Duff 1996), and kept in dense blocks
+/// of Real.
+template <class Real>
+class CholeskyFactor {
+ public:
+  /// All matrices that are factored have their values at the places of this one; its own must be positive
+  /// definite. Does not factor it yet.
+  explicit CholeskyFactor(const SymmetricMatrix& places);
+
+  /// False where the matrix is not positive definite, or not finite, in double; then nothing can be solved.
+  bool factor(const SymmetricMatrix& matrix);
+
+  /// Unknowns.
+  std::size_t size() const { return std::size_t(cholesky_.rows()); }
+
+  /// The row of the factor that an unknown is.
+  std::size_t row(std::size_t unknown) const {
+    return std::size_t(cholesky_.permutationP().indices()[Eigen::Index(unknown)]);
+  }
+
+  /// Values of right-hand sides: four for each row, and room behind them.
+  std::size_t values_of_sides() const { return 4 * (size() + BlockFactor<Real>::room); }
+
+  /// Puts the solutions in the place of four right-hand sides, in the order of rows.
+  void solve(Real* sides) const { solve_triangles(blocks_, sides); }
+
+  const Supernodes& supernodes() const { return blocks_.supernodes; }
+
+  /// Values of the factor that are not zero.
+  std::size_t nonzeros() const { return std::size_t(cholesky_.matrixL().nestedExpression().nonZeros()); }
+  std::size_t bytes() const;
+
+ private:
+  /// False where a value is not finite.
+  bool fill(const Supernode& node);
+
+  Eigen::SimplicialLLT<SymmetricMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> cholesky_;
+  BlockFactor<Real> blocks_;
+  Eigen::MatrixXd block_;                    ///< of one node
+  std::vector<std::uint32_t> place_of_row_;  ///< in the node's block
+};
+
+}  // namespace hooke
