@@ -187,8 +187,28 @@ struct Bdf2 {
   }
 };
 
+/// Projective dynamics (Liu, Bargteil, O'Brien and Kavan 2013): the step of BackwardEuler, solved by so many
+/// iterations with a matrix that stays the same, and so is factored only once. An iteration costs a small
+/// part of one of Newton's; the first few bring most, and what is left of the error looks like more damping.
+struct ProjectiveDynamics {
+  std::uint64_t iterations = 10;  ///< in a step, >= 1
+  double tolerance = 0.0;         ///< ends a step before: change of positions over the scene's size [1], >= 0
+  std::uint64_t history = 5;
+
+  static constexpr int order = 1, force_evaluations = 1;
+  static constexpr double oscillation_limit = no_oscillation_limit;
+
+  static constexpr std::string_view name = "projective_dynamics";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("iterations", self.iterations);
+    visit("tolerance", self.tolerance);
+    visit("history", self.history);
+  }
+};
+
 using Method = std::variant<SymplecticEuler, ExplicitEuler, Midpoint, Heun, RungeKutta4, Verlet, BlanesMoan,
-                            DormandPrince, BackwardEuler, ImplicitMidpoint, Bdf2>;
+                            DormandPrince, BackwardEuler, ImplicitMidpoint, Bdf2, ProjectiveDynamics>;
 
 /// One of each method, with its default parameters, in the order above.
 inline constexpr auto all_methods = []<std::size_t... I>(std::index_sequence<I...>) {

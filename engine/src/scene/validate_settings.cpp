@@ -37,6 +37,12 @@ void check_method(std::vector<Fault>& faults, const Bdf2& method) {
   check_newton(faults, method);
 }
 
+void check_method(std::vector<Fault>& faults, const ProjectiveDynamics& method) {
+  const ElementChecks checks(faults, "method (projective_dynamics)");
+  checks.at_least("iterations", method.iterations, 1);
+  checks.not_negative("tolerance", method.tolerance, "");
+}
+
 void check_accumulation(const ElementChecks& checks, const Settings& settings) {
   if (can_accumulate(settings.method, settings.accumulation)) return;
   checks.add("accumulation is " + std::string(to_string(settings.accumulation)) + ", and " +

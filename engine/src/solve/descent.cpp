@@ -81,9 +81,10 @@ class Descent final : public StageSolver<Real> {
       if (!std::isfinite(slope)) return result;
       result.residual = change_ * stage.h / scene_size_;
       result.converged = result.residual <= limits_.tolerance;
-      if (!(slope > 0.0)) return result;
+      if (!(slope > 0.0)) break;
       go_along(stage, next, slope, result);
     }
+    if (limits_.tolerance == 0.0) result.converged = true;
     return result;
   }
 

@@ -31,7 +31,7 @@ class DirectionSolver {
 
 /// When a descent ends.
 struct DescentLimits {
-  double tolerance;               ///< change of positions, RMS over the scene's size [1]
+  double tolerance;               ///< change of positions, RMS over the scene's size [1]; 0: there is none
   std::uint64_t most_iterations;  ///< >= 1
 };
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "solve/conjugate_gradients.h"
+#include "solve/constant_stiffness.h"
 #include "solve/descent.h"
 
 namespace hooke {
@@ -32,6 +33,12 @@ StageSolverPointer<Real> solver_of(const ImplicitMidpoint& method, const SolverC
 template <class Real>
 StageSolverPointer<Real> solver_of(const Bdf2& method, const SolverContext<Real>& context) {
   return newton(method, context);
+}
+
+template <class Real>
+StageSolverPointer<Real> solver_of(const ProjectiveDynamics& method, const SolverContext<Real>& context) {
+  return make_descent<Real>(ProjectiveDynamics::name, {method.tolerance, method.iterations},
+                            make_constant_stiffness<Real>(context, method.history), context);
 }
 
 }  // namespace
