@@ -41,6 +41,7 @@ void check_method(std::vector<Fault>& faults, const ProjectiveDynamics& method) 
   const ElementChecks checks(faults, "method (projective_dynamics)");
   checks.at_least("iterations", method.iterations, 1);
   checks.not_negative("tolerance", method.tolerance, "");
+  if (method.history > 100) checks.add("history is " + std::to_string(method.history), "give at most 100");
 }
 
 void check_accumulation(const ElementChecks& checks, const Settings& settings) {

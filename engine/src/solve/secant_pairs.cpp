@@ -34,7 +34,7 @@ void take_change(Real sign, const Real* now, Real* last, Real* change, std::size
 
 template <class Real>
 SecantPairs<Real>::SecantPairs(std::size_t particles, std::size_t most, Executor& executor)
-    : pairs_(most, Pair{ParticleVectors<Real>(particles), ParticleVectors<Real>(particles)}),
+    : pairs_(most + 1, Pair{ParticleVectors<Real>(particles), ParticleVectors<Real>(particles)}),
       velocity_(particles),
       residual_(particles),
       executor_(executor),
@@ -94,7 +94,7 @@ void SecantPairs<Real>::observe(const State<Real>& at, const ParticleVectors<Rea
   // Only pairs along which the potential is convex keep the product positive definite.
   if (seen_ && next.curvature > 0.0) {
     next_ = (next_ + 1) % pairs_.size();
-    known_ = std::min(known_ + 1, pairs_.size());
+    known_ = std::min(known_ + 1, pairs_.size() - 1);
   }
   seen_ = true;
 }

@@ -49,7 +49,7 @@ class SecantPairs {
   double add_and_dot(double factor, const ParticleVectors<Real>& a, ParticleVectors<Real>& sum,
                      const ParticleVectors<Real>& b);
 
-  std::vector<Pair> pairs_;
+  std::vector<Pair> pairs_;                    ///< one more than are kept: the next, which may be dropped
   ParticleVectors<Real> velocity_, residual_;  ///< of the last observation
   Executor& executor_;
   std::vector<DotSum> sums_;
