@@ -32,6 +32,11 @@ add_library(hooke_program STATIC
   program/frame_recorder.cpp
   program/frame_schedule.cpp
   program/gnuplot.cpp
+  program/hard.cpp
+  program/hard_json.cpp
+  program/hard_options.cpp
+  program/hard_page.cpp
+  program/hard_report.cpp
   program/interruption.cpp
   program/json_report.cpp
   program/machine.cpp
@@ -52,7 +57,7 @@ add_library(hooke_program STATIC
   program/text_table.cpp
   program/view_options.cpp)
 target_compile_definitions(hooke_program PRIVATE HOOKE_VERSION="${PROJECT_VERSION}")
-target_link_libraries(hooke_program PUBLIC hooke_scene_file hooke_writers
+target_link_libraries(hooke_program PUBLIC hooke_scene_file hooke_hard_cases hooke_writers
                                     PRIVATE CLI11::CLI11 nlohmann_json::nlohmann_json)
 # Pictures and the viewer are there or, where their libraries are absent, refused with a word on what to install.
 if(HOOKE_HAS_PICTURES)

@@ -11,6 +11,7 @@
 #include "program/check.h"
 #include "program/command_line.h"
 #include "program/exit_code.h"
+#include "program/hard.h"
 #include "program/plan.h"
 #include "program/run.h"
 #include "program/view.h"
@@ -19,9 +20,11 @@ namespace hooke::program {
 namespace {
 
 constexpr const char* exit_codes =
-    "Exit codes: 0 done; 1 the simulation went bad (the last good state is kept); 2 an argument, the scene "
-    "or an\n"
-    "output file cannot be used; 130 interrupted by Ctrl-C (what was written is kept).\n";
+    "Exit codes: 0 done; 1 the simulation went bad (the last good state is kept), or a hard case that passed "
+    "does not\n"
+    "any more; 2 an argument, the scene or an output file cannot be used; 130 interrupted by Ctrl-C (what "
+    "was "
+    "written is kept).\n";
 
 /// Ends a parse that leaves nothing to run. Returns the exit code.
 int end_parse(const CLI::App& app, const CLI::ParseError& error) {
@@ -74,16 +77,23 @@ int parse_and_run(int argc, const char* const* argv) {
       std::string("\nExample: hooke accuracy curtain.json --tolerance 0.01 --horizon 1 --budget 2min\n") +
       exit_codes);
 
+  HardOptions hard_options;
+  CLI::App& hard_command = *app.add_subcommand(
+      "hard", "Run scenes that break simulators with every method, and say what came of each.");
+  add_hard_options(hard_command, hard_options);
+  hard_command.footer(std::string("\nExample: hooke hard --quick --case 5 --method verlet\n") + exit_codes);
+
   try {
     app.parse(argc, argv);
     if (app.get_subcommands().empty())
-      throw CLI::RequiredError("give a command: run, view, plan, check or accuracy",
+      throw CLI::RequiredError("give a command: run, view, plan, check, accuracy or hard",
                                CLI::ExitCodes::RequiredError);
   } catch (const CLI::ParseError& error) {
     return end_parse(app, error);
   }
   arguments.command = command_line(argc, argv);
   if (accuracy_command.parsed()) return accuracy(arguments, std::cout, std::cerr);
+  if (hard_command.parsed()) return run_hard_cases(hard_options, arguments.command, std::cout, std::cerr);
   if (run_command.parsed()) return run(arguments, std::cout, std::cerr);
   if (view_command.parsed()) return view(arguments, view_options, std::cout, std::cerr);
   if (plan_command.parsed()) return plan(arguments, std::cout);

@@ -46,7 +46,7 @@ TEST_CASE("help and version are given on request") {
 
 TEST_CASE("bad arguments are refused with exit code 2 and named") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
-      {{}, "give a command: run, view, plan, check or accuracy"},
+      {{}, "give a command: run, view, plan, check, accuracy or hard"},
       {{"fly"}, "fly"},
       {{"run"}, "scene"},
       {{"run", scene("spring"), "--wings", "2"}, "--wings"},

@@ -1,0 +1,18 @@
+# The hard cases: scenes and what methods must make of them. The hooke program and the tests run them.
+add_library(hooke_hard_cases STATIC
+  scenes/hard/asked_method.cpp
+  scenes/hard/bad_input.cpp
+  scenes/hard/coincident_particles.cpp
+  scenes/hard/common_criteria.cpp
+  scenes/hard/hard_cases.cpp
+  scenes/hard/judge.cpp
+  scenes/hard/measures.cpp
+  scenes/hard/scaled_units.cpp
+  scenes/hard/shapes.cpp
+  scenes/hard/suite.cpp
+  scenes/hard/tiny_rest_lengths.cpp
+  scenes/hard/watched_run.cpp
+  scenes/hard/zero_rest_lengths.cpp)
+target_include_directories(hooke_hard_cases PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(hooke_hard_cases PUBLIC hooke::hooke)
+hooke_warnings(hooke_hard_cases)

@@ -1,0 +1,37 @@
+#include "scenes/hard/suite.h"
+
+#include <chrono>
+#include <exception>
+
+namespace hooke::hard {
+namespace {
+
+Result result_of(const HardCase& one, const Method& method, Extent extent) {
+  try {
+    return one.run(method, extent);
+  } catch (const std::exception& error) {
+    Result result;
+    result.reason = std::string("an error that is no refusal: ") + error.what();
+    return result;
+  }
+}
+
+}  // namespace
+
+std::vector<Verdict> run_suite(const std::vector<const HardCase*>& cases, const std::vector<Method>& methods,
+                               Extent extent, const std::function<bool(double)>& progress) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Verdict> verdicts;
+  for (const HardCase* one : cases) {
+    for (const Method& method : methods) {
+      if (!progress(double(verdicts.size()) / double(cases.size() * methods.size()))) return verdicts;
+      const Clock::time_point start = Clock::now();
+      Result result = result_of(*one, method, extent);
+      const std::chrono::duration<double> taken = Clock::now() - start;
+      verdicts.push_back({one, to_string(method), std::move(result), taken.count()});
+    }
+  }
+  return verdicts;
+}
+
+}  // namespace hooke::hard
