@@ -4,12 +4,21 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/bad_input.cpp
   scenes/hard/coincident_particles.cpp
   scenes/hard/common_criteria.cpp
+  scenes/hard/far_from_origin.cpp
   scenes/hard/hard_cases.cpp
+  scenes/hard/huge_steps.cpp
+  scenes/hard/huge_velocity.cpp
+  scenes/hard/incline_friction.cpp
   scenes/hard/judge.cpp
+  scenes/hard/long_oscillation.cpp
+  scenes/hard/mass_ratio.cpp
   scenes/hard/measures.cpp
   scenes/hard/scaled_units.cpp
   scenes/hard/shapes.cpp
+  scenes/hard/stiff_damper.cpp
+  scenes/hard/stiffness_ratio.cpp
   scenes/hard/suite.cpp
+  scenes/hard/tiny_and_huge_cloth.cpp
   scenes/hard/tiny_rest_lengths.cpp
   scenes/hard/watched_run.cpp
   scenes/hard/zero_rest_lengths.cpp)

@@ -5,8 +5,10 @@
 namespace hooke::hard {
 
 std::span<const HardCase> hard_cases() {
-  static const std::array all{coincident_particles, zero_rest_lengths, tiny_rest_lengths, scaled_units,
-                              bad_input};
+  static const std::array all{coincident_particles, zero_rest_lengths, tiny_rest_lengths, stiffness_ratio,
+                              mass_ratio,           huge_steps,        huge_velocity,     far_from_origin,
+                              tiny_and_huge_cloth,  scaled_units,      bad_input,         long_oscillation,
+                              stiff_damper,         incline_friction};
   return all;
 }
 

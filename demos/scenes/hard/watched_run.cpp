@@ -22,15 +22,23 @@ WatchedRun<Real>::WatchedRun(const Scene& scene, const Settings& settings) : sim
 
 template <class Real>
 bool WatchedRun<Real>::take(std::uint64_t count) {
-  for (std::uint64_t i = 0; i < count && trouble_.empty(); ++i) {
-    const Report report = simulation_.step();
-    if (report.ok()) {
-      look();
-    } else {
-      trouble_ = report.message();
-    }
-  }
+  for (std::uint64_t i = 0; i < count && trouble_.empty(); ++i) note(simulation_.step());
   return trouble_.empty();
+}
+
+template <class Real>
+bool WatchedRun<Real>::skip(std::uint64_t count) {
+  if (trouble_.empty()) note(simulation_.step(count));
+  return trouble_.empty();
+}
+
+template <class Real>
+void WatchedRun<Real>::note(const Report& report) {
+  if (report.ok()) {
+    look();
+  } else {
+    trouble_ = report.message();
+  }
 }
 
 template <class Real>

@@ -18,6 +18,9 @@ class WatchedRun {
   /// Takes `count` steps. False if one went bad, now or before; then no more are taken.
   bool take(std::uint64_t count);
 
+  /// Likewise all at once, and looks only at the last.
+  bool skip(std::uint64_t count);
+
   /// Puts the particles elsewhere. The energy that this needs counts as work done from outside.
   void place(const Snapshot<Real>& snapshot);
 
@@ -36,6 +39,7 @@ class WatchedRun {
 
  private:
   void look();
+  void note(const Report& report);
 
   Simulation<Real> simulation_;
   std::string trouble_;
