@@ -3,21 +3,30 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/asked_method.cpp
   scenes/hard/bad_input.cpp
   scenes/hard/coincident_particles.cpp
+  scenes/hard/collapsed_cloth.cpp
   scenes/hard/common_criteria.cpp
+  scenes/hard/compressed_cloth.cpp
   scenes/hard/far_from_origin.cpp
+  scenes/hard/flattened_block.cpp
   scenes/hard/hard_cases.cpp
   scenes/hard/huge_steps.cpp
   scenes/hard/huge_velocity.cpp
   scenes/hard/incline_friction.cpp
+  scenes/hard/inverted_sphere.cpp
   scenes/hard/judge.cpp
   scenes/hard/long_oscillation.cpp
+  scenes/hard/many_islands.cpp
   scenes/hard/mass_ratio.cpp
   scenes/hard/measures.cpp
+  scenes/hard/over_constrained.cpp
+  scenes/hard/random_graphs.cpp
+  scenes/hard/random_vertices.cpp
   scenes/hard/scaled_units.cpp
   scenes/hard/shapes.cpp
   scenes/hard/stiff_damper.cpp
   scenes/hard/stiffness_ratio.cpp
   scenes/hard/suite.cpp
+  scenes/hard/teleported_pin.cpp
   scenes/hard/tiny_and_huge_cloth.cpp
   scenes/hard/tiny_rest_lengths.cpp
   scenes/hard/watched_run.cpp

@@ -26,16 +26,31 @@ double depth(const std::vector<Vec3>& positions) {
   return deepest;
 }
 
+/// The deepest that a particle is in the wall in the first frame, in which the cloth hits it [m]: after each
+/// step of a method that takes the frame at once, else at 200 moments or after each substep, if there are
+/// more.
+double deepest_of_first_frame(const Scene& scene, Settings settings, std::uint64_t substeps) {
+  const std::uint64_t parts = has_no_step_limit(settings.method) ? 1 : std::max<std::uint64_t>(200, substeps);
+  settings.step /= double(parts);
+  settings.unstable_step = UnstableStep::take;  // parts are no longer than the library's own
+  WatchedRun<double> run(scene, settings);
+  double deepest = 0.0;
+  for (std::uint64_t i = 0; i < parts && run.take(1); ++i)
+    deepest = std::max(deepest, depth(run.positions()));
+  return deepest;
+}
+
 Result run(const Method& method, Extent extent) {
   const Scene scene = make(extent);
-  const auto drive = [](WatchedRun<double>& run, Judge& judge) {
-    double deepest = 0.0;
-    for (int i = 0; i < 60 && run.take(1); ++i) deepest = std::max(deepest, depth(run.positions()));
+  const Settings settings = asked_of(method, scene, frame);
+  const auto drive = [&](WatchedRun<double>& run, Judge& judge) {
+    const double deepest = deepest_of_first_frame(scene, settings, run.simulation().plan().substeps);
+    run.take(60);
     judge.at_most("depth in the wall after 1 s [m]", depth(run.positions()), 0.01);
-    judge.flag("flagged: no continuous collision detection; seen up to " + std::to_string(deepest) +
-               " m inside the wall, so it would be through a wall that is thinner");
+    judge.flag("flagged: no continuous collision detection; up to " + std::to_string(deepest) +
+               " m inside the wall after a step, so it would pass a wall that is thinner");
   };
-  return judged(scene, asked_of(method, scene, frame), 20, drive);
+  return judged(scene, settings, 20, drive);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ constexpr double mass = 0.01;        // [kg]
 constexpr double rest_length = 0.1;  // [m]
 constexpr double gravity = 9.81;     // [m/s^2]
 constexpr double decay = 4.0;        // [1/s] of speed by drag, so that it comes to rest
-constexpr int seconds = 12;
+constexpr int seconds = 16;
 
 double stiffness(int link) {
   return link % 2 == 0 ? 1.0 : 1e6;
@@ -59,7 +59,7 @@ const HardCase stiffness_ratio{
     "stiffness_ratio",
     "A chain of 10 springs, 1 N/m and 1e6 N/m by turns, and 10 masses of 0.01 kg, let go at its rest length "
     "of 1 m "
-    "under gravity, with drag (speed decays with 4/s). 12 s in steps of 1/60 s.",
+    "under gravity, with drag (speed decays with 4/s). 16 s in steps of 1/60 s.",
     "Each spring's elongation is (N - i + 1) m g / k, to 1e-6 of it: of those of 1e6 N/m that is 1e-13 m.",
     "",
     frame,
