@@ -20,6 +20,7 @@ Json flags(std::uint32_t bits) {
   if (bits & flag_not_finite) names.push_back("not_finite");
   if (bits & flag_steps_dropped) names.push_back("steps_dropped");
   if (bits & flag_step_too_small) names.push_back("step_too_small");
+  if (bits & flag_not_converged) names.push_back("not_converged");
   return names;
 }
 
@@ -69,6 +70,9 @@ std::string json_report(const RunResult& result) {
   report["steps"] = result.steps;
   report["force_evaluations"] = result.force_evaluations;
   report["rejected_steps"] = result.rejected_steps;
+  report["solver_iterations"] = result.solver_iterations;
+  report["linear_iterations"] = result.linear_iterations;
+  report["residual"] = number(result.residual);
   report["simulated_seconds"] = number(result.simulated_seconds);
   report["wall_seconds"] = number(result.wall_seconds);
   report["compile_seconds"] = number(result.compile_seconds);

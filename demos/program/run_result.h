@@ -28,12 +28,15 @@ struct RunResult {
 
   std::uint64_t steps = 0;  ///< good steps taken
   std::uint64_t force_evaluations = 0;
-  std::uint64_t rejected_steps = 0;  ///< that error control took again
-  double simulated_seconds = 0.0;    ///< [s]
-  double wall_seconds = 0.0;         ///< [s] spent in steps alone
-  double compile_seconds = 0.0;      ///< [s] spent on making the simulation of the scene
-  double total_wall_seconds = 0.0;   ///< [s] of the whole run, with reading and writing
-  std::vector<SweepSeconds> sweeps;  ///< of the plan
+  std::uint64_t rejected_steps = 0;     ///< that error control took again
+  std::uint64_t solver_iterations = 0;  ///< of a method that solves equations
+  std::uint64_t linear_iterations = 0;  ///< of the linear solver within those
+  double residual = 0.0;                ///< see Report [1]
+  double simulated_seconds = 0.0;       ///< [s]
+  double wall_seconds = 0.0;            ///< [s] spent in steps alone
+  double compile_seconds = 0.0;         ///< [s] spent on making the simulation of the scene
+  double total_wall_seconds = 0.0;      ///< [s] of the whole run, with reading and writing
+  std::vector<SweepSeconds> sweeps;     ///< of the plan
 
   double energy_start = 0.0, energy_end = 0.0;  ///< [J]
   double max_strain = 0.0;                      ///< [1] largest of the states that were frames, and the last

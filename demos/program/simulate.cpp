@@ -39,12 +39,15 @@ bool take_steps(Simulation<Real>& simulation, std::uint64_t count, RunResult& re
   result.steps = simulation.steps();
   result.force_evaluations += report.force_evaluations;
   result.rejected_steps += report.rejected_steps;
+  result.solver_iterations += report.solver_iterations;
+  result.linear_iterations += report.linear_iterations;
+  result.residual = std::max(result.residual, report.residual);
   add(report.sweeps, result.sweeps);
   result.flags |= report.flags;
+  if (report.flags != flag_none) result.message = report.message();
   if (report.ok()) return true;
   result.bad_step = report.step;
   result.first_bad_particle = report.first_bad_particle;
-  result.message = report.message();
   return false;
 }
 

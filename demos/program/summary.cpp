@@ -1,5 +1,6 @@
 #include "program/summary.h"
 
+#include <algorithm>
 #include <ostream>
 
 #include "program/rounded.h"
@@ -20,6 +21,17 @@ std::string mebibytes(std::size_t bytes) {
 
 std::string bytes_of_each(std::size_t bytes, std::size_t particles) {
   return std::to_string(particles == 0 ? 0 : bytes / particles) + " bytes";
+}
+
+/// Of a method that solves equations.
+void print_iterations(const RunResult& result, std::ostream& out) {
+  if (result.solver_iterations == 0) return;
+  const double steps = std::max(1.0, double(result.steps));
+  out << "  equations        " << rounded(double(result.solver_iterations) / steps) << " iterations a step";
+  if (result.linear_iterations > 0)
+    out << ", " << rounded(double(result.linear_iterations) / steps) << " of the linear solver";
+  out << "; the last ones moved particles by at most " << rounded(result.residual)
+      << " of the scene's size\n";
 }
 
 void print_files(const RunResult& result, std::ostream& out) {
@@ -55,6 +67,7 @@ void print_summary(const RunResult& result, std::ostream& out) {
     out << ", " << result.rejected_steps
         << (result.rejected_steps == 1 ? " step taken again" : " steps taken again");
   out << '\n';
+  print_iterations(result, out);
   out << "  wall time        " << rounded(result.wall_seconds) << " s in steps, "
       << rounded(result.compile_seconds) << " s to compile the scene, " << rounded(result.total_wall_seconds)
       << " s in all\n";

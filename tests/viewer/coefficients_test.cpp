@@ -24,6 +24,11 @@ TEST_CASE("a force field has no coefficients, and a method with a tolerance has"
   CHECK(coefficients_of(euler).empty());
   REQUIRE(coefficients_of(controlled).size() == 4);
   CHECK(coefficients_of(controlled)[0].name == "tolerance");
+  Method implicit = BackwardEuler{};
+  REQUIRE(coefficients_of(implicit).size() == 2);
+  REQUIRE(std::holds_alternative<std::uint64_t*>(coefficients_of(implicit)[1].value));
+  *std::get<std::uint64_t*>(coefficients_of(implicit)[1].value) = 7;
+  CHECK(std::get<BackwardEuler>(implicit).most_iterations == 7);
 }
 
 TEST_CASE("every coefficient that is a length, a force or the like has its unit") {

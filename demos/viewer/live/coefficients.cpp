@@ -36,7 +36,8 @@ std::vector<Coefficient> numbers_of(Choice& choice) {
       [&](auto& one) {
         one.fields(one, [&](const char* name, auto& value) {
           using Value = std::remove_reference_t<decltype(value)>;
-          if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, Vec3>)
+          if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::uint64_t> ||
+                        std::is_same_v<Value, Vec3>)
             numbers.push_back({name, unit_of(one.name, name), &value});
         });
       },

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,7 +15,7 @@ namespace hooke::viewer {
 struct Coefficient {
   std::string name;
   std::string_view unit;  ///< such as "N s/m"; empty where there is none, or it is not known
-  std::variant<double*, Vec3*> value;
+  std::variant<double*, std::uint64_t*, Vec3*> value;
 };
 
 std::string_view name_of(const Effect& effect);

@@ -16,6 +16,13 @@ bool vector_input(const std::string& id, Vec3& value) {
                             "%.3g", ImGuiSliderFlags_NoRoundToFormat);
 }
 
+/// A count, of one at least.
+bool count_input(const std::string& id, std::uint64_t& value) {
+  constexpr std::uint64_t least = 1, most = 1000;
+  return ImGui::DragScalar(id.c_str(), ImGuiDataType_U64, &value, 0.1f, &least, &most, nullptr,
+                           ImGuiSliderFlags_AlwaysClamp);
+}
+
 }  // namespace
 
 bool coefficient_input(const std::string& id, const std::string& label, const Coefficient& coefficient) {
@@ -25,6 +32,8 @@ bool coefficient_input(const std::string& id, const std::string& label, const Co
     return vector_input(id, **value);
   }
   name_line(label);
+  if (auto* const* const count = std::get_if<std::uint64_t*>(&coefficient.value))
+    return count_input(id, **count);
   return drag_number(id, *std::get<double*>(coefficient.value), unit);
 }
 

@@ -57,6 +57,14 @@ bool threads_input(State& state) {
   return changed;
 }
 
+/// Nothing to choose where there are no springs, or the method gathers only.
+bool accumulation_input(State& state) {
+  Settings& settings = state.wanted.settings;
+  if (!can_accumulate(settings.method, settings.accumulation)) settings.accumulation = Accumulation::gather;
+  if (state.moment().in_force->springs == 0 || solves_equations(settings.method)) return false;
+  return choose(state, "accumulation", accumulations, settings.accumulation);
+}
+
 }  // namespace
 
 void method_panel(State& state) {
@@ -65,8 +73,7 @@ void method_panel(State& state) {
   changed = coefficient_inputs(state, "method", coefficients_of(state.wanted.settings.method)) || changed;
   changed = step_input(state) || changed;
   changed = threads_input(state) || changed;
-  if (state.moment().in_force->springs > 0)
-    changed = choose(state, "accumulation", accumulations, state.wanted.settings.accumulation) || changed;
+  changed = accumulation_input(state) || changed;
   if (changed) state.change();
   stability_gauge(state);
   action_button(state, "What would more accuracy cost?", "study", Action::toggle_study,
