@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -111,22 +112,25 @@ class Descent final : public StageSolver<Real> {
     return sums.slope;
   }
 
-  /// Goes along the direction, as far as its length mostly, but not where the potential rises half as fast as
-  /// it fell at the beginning.
+  /// Goes along the direction to where the potential falls or rises no more than half as fast as at its
+  /// beginning: once its length mostly; less where it rises there, and further where it still falls, as where
+  /// a cloth buckles and the stiffness that was left out of the matrix is missed.
   void go_along(const ImplicitStage<Real>& stage, State<Real>& next, double slope, StageResult& result) {
-    constexpr double rise_allowed = 0.5;
+    constexpr double flat = 0.5, stretch = 2.0;
     constexpr int most_tries = 30;
     Place falling{0.0, slope}, tried{0.0, slope};
+    std::optional<Place> rising;
     double length = 1.0;
     for (int i = 0; i < most_tries; ++i) {
       move(stage, length - tried.length, next);
       tried = {length, evaluate(stage, next, result)};
-      if (tried.slope >= -rise_allowed * slope) return;
-      if (std::isfinite(tried.slope)) {
-        length = length_between(falling, tried);
-      } else {
+      if (std::abs(tried.slope) <= flat * slope) return;
+      if (!std::isfinite(tried.slope)) {
         length = 0.5 * (falling.length + tried.length);
+        continue;
       }
+      (tried.slope > 0.0 ? falling : rising.emplace()) = tried;
+      length = rising ? length_between(falling, *rising) : stretch * length;
     }
   }
 
