@@ -151,8 +151,9 @@ struct BackwardEuler {
 };
 
 /// Implicit midpoint rule: x' = x + h (v + v') / 2, v' = v + h a at the mean of both states. Keeps the
-/// amplitude of oscillations whatever the step, and angular momentum; solved like BackwardEuler, of which it
-/// is half a step, and as much further.
+/// amplitude of linear oscillations whatever the step, and angular momentum; but it damps nothing, and where
+/// stiff springs turn or cloth buckles within a step it may gain energy: it wants damping there, or steps
+/// that resolve the motion. Solved like BackwardEuler, of which it is half a step, and as much further.
 struct ImplicitMidpoint {
   double tolerance = 1e-6;  ///< change of positions of the last iteration over the scene's size [1], > 0
   std::uint64_t most_iterations = 50;  ///< of Newton's method in a step, >= 1

@@ -14,13 +14,17 @@ namespace hooke {
 namespace {
 
 /// The share of the first residual that is left when a direction is found well enough: the square of the
-/// progress that the last direction made.
+/// progress that the last direction made, and little where the end is near, as rounding errors, of the
+/// highest frequencies, may be most of the residual there.
 class Forcing {
  public:
-  void begin() { last_norm_ = 0.0; }
+  void begin() { *this = {}; }
+
+  void note_change(double tolerances) { far_ = tolerances > 2.0; }
 
   double share(double norm) {
-    constexpr double most = 0.01, least = 1e-8;
+    constexpr double least = 1e-8;
+    const double most = far_ ? 0.1 : 0.01;
     const double progress = last_norm_ > 0.0 ? norm / last_norm_ : 1.0;
     last_norm_ = norm;
     return std::clamp(progress * progress, least, most);
@@ -28,6 +32,7 @@ class Forcing {
 
  private:
   double last_norm_ = 0.0;
+  bool far_ = false;
 };
 
 /// product += block p for each of a block's particles.
@@ -62,6 +67,8 @@ class ConjugateGradients final : public DirectionSolver<Real> {
   }
 
   void begin() override { forcing_.begin(); }
+
+  void note_change(double tolerances) override { forcing_.note_change(tolerances); }
 
   typename DirectionSolver<Real>::Result solve(const ImplicitStage<Real>& stage, const State<Real>& at,
                                                const ParticleVectors<Real>& residual,

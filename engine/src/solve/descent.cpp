@@ -82,6 +82,7 @@ class Descent final : public StageSolver<Real> {
       if (!std::isfinite(slope)) return result;
       result.residual = change_ * stage.h / scene_size_;
       result.converged = result.residual <= limits_.tolerance;
+      directions_->note_change(result.residual / limits_.tolerance);
       if (!(slope > 0.0)) break;
       go_along(stage, next, slope, result);
     }

@@ -21,6 +21,10 @@ class DirectionSolver {
   /// Another stage begins.
   virtual void begin() {}
 
+  /// How far the last direction led, in tolerances: where it was far, the next one need not be found so
+  /// exactly.
+  virtual void note_change(double /*tolerances*/) {}
+
   /// `at` is the state whose residual is given.
   virtual Result solve(const ImplicitStage<Real>& stage, const State<Real>& at,
                        const ParticleVectors<Real>& residual, ParticleVectors<Real>& direction) = 0;

@@ -36,7 +36,12 @@ bool MethodLadder::chooses_steps() const {
 }
 
 void MethodLadder::add_steps(std::uint64_t steps) {
-  candidates_.push_back({{method_, steps}, double(steps) * traits_of(method_).force_evaluations});
+  // What equations take is not known before the first run; for a dear one, that it is made too early costs
+  // more.
+  constexpr double evaluations_for_equations = 500.0;
+  const double each =
+      solves_equations(method_) ? evaluations_for_equations : traits_of(method_).force_evaluations;
+  candidates_.push_back({{method_, steps}, double(steps) * each});
 }
 
 void MethodLadder::add_tolerance(double tolerance, double force_evaluations) {
