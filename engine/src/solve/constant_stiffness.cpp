@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "kernels/flush_subnormals.h"
+#include "solve/changed_diagonal.h"
 #include "solve/effect_stiffness.h"
 #include "solve/lane_sums.h"
 #include "solve/secant_pairs.h"
@@ -18,17 +19,28 @@ template <class Real>
 class ConstantStiffness final : public DirectionSolver<Real> {
  public:
   ConstantStiffness(const SolverContext<Real>& context, std::size_t secant_pairs)
-      : executor_(context.executor),
-        matrix_(context.scene, context.model),
+      : matrix_(context.scene, context.model),
         factor_(matrix_.matrix()),
         effects_(context),
-        factored_effects_(effects_.bounds()),
         particle_of_row_(factor_.size()),
+        unknown_of_row_(factor_.size()),
         sides_(factor_.values_of_sides(), Real(0)) {
-    for (std::size_t u = 0; u < factor_.size(); ++u)
+    for (std::size_t u = 0; u < factor_.size(); ++u) {
       particle_of_row_[factor_.row(u)] = matrix_.particles()[u];
+      unknown_of_row_[factor_.row(u)] = std::uint32_t(u);
+    }
+    if (!effects_.bounds().empty()) {
+      const State<Real> start = initial_state(context.scene, context.model);
+      effects_.add(start, {Real(1), Real(0)});
+      stiffness_at_start_ = effects_.bounds();
+      effects_.clear();
+      effects_.add(start, {Real(0), Real(1)});
+      damping_at_start_ = effects_.bounds();
+      factored_effects_.resize(effects_.bounds().size());
+      change_.emplace(factor_);
+    }
     if (secant_pairs > 0) {
-      pairs_.emplace(context.model.particles(), secant_pairs, executor_);
+      pairs_.emplace(context.model.particles(), secant_pairs, context.executor);
       remainder_.emplace(context.model.particles());
     }
   }
@@ -41,37 +53,52 @@ class ConstantStiffness final : public DirectionSolver<Real> {
   typename DirectionSolver<Real>::Result solve(const ImplicitStage<Real>& stage, const State<Real>& at,
                                                const ParticleVectors<Real>& residual,
                                                ParticleVectors<Real>& direction) override {
-    prepare(stage, at);
+    if (stage.h != factored_h_) factor(stage.h);
+    if (change_) look_at_effects(stage.h, at);
+    typename DirectionSolver<Real>::Result result;
     if (pairs_) {
       pairs_->observe(at, residual);
       *remainder_ = residual;
       pairs_->multiply_right(*remainder_);
-      solve_factor(*remainder_, direction);
+      result.iterations = solve_matrix(*remainder_, direction);
       pairs_->multiply_left(direction);
     } else {
-      solve_factor(residual, direction);
+      result.iterations = solve_matrix(residual, direction);
     }
-    return {1};
+    return result;
   }
 
   std::size_t bytes() const override {
     return matrix_.bytes() + factor_.bytes() + effects_.bytes() +
-           factored_effects_.capacity() * sizeof(Real) + particle_of_row_.capacity() * sizeof(Index) +
-           sides_.capacity() * sizeof(Real) + (pairs_ ? pairs_->bytes() + remainder_->bytes() : 0);
+           3 * factored_effects_.capacity() * sizeof(Real) + 2 * particle_of_row_.capacity() * sizeof(Index) +
+           sides_.capacity() * sizeof(Real) + (change_ ? change_->bytes() : 0) +
+           (pairs_ ? pairs_->bytes() + remainder_->bytes() : 0);
   }
 
  private:
-  /// Factors the matrix, where what is factored is not enough.
-  void prepare(const ImplicitStage<Real>& stage, const State<Real>& at) {
-    effects_.add(at, {Real(stage.h * stage.h), Real(stage.h)});
-    if (stage.h == factored_h_ && effects_.bounds() == factored_effects_) return;
-    matrix_.weigh({stage.h * stage.h, stage.h}, effects_.bounds());
+  void factor(double h) {
+    for (std::size_t i = 0; i < factored_effects_.size(); ++i)
+      factored_effects_[i] = Real(h * h) * stiffness_at_start_[i] + Real(h) * damping_at_start_[i];
+    matrix_.weigh({h * h, h}, factored_effects_);
     positive_definite_ = factor_.factor(matrix_.matrix());
-    factored_h_ = stage.h;
-    factored_effects_ = effects_.bounds();
+    factored_h_ = h;
   }
 
-  void solve_factor(const ParticleVectors<Real>& residual, ParticleVectors<Real>& direction) {
+  /// Finds by how much effects are stiffer now than in the matrix that is factored, or less stiff. What is
+  /// small beside the matrix is left out.
+  void look_at_effects(double h, const State<Real>& at) {
+    constexpr double small = 0.01;
+    effects_.add(at, {Real(h * h), Real(h)});
+    for (std::size_t row = 0; row < particle_of_row_.size(); ++row) {
+      const Index i = particle_of_row_[row];
+      const Real change = effects_.bounds()[i] - factored_effects_[i];
+      const bool counts = std::abs(double(change)) > small * matrix_.diagonal(unknown_of_row_[row]);
+      change_->set(row, counts ? change : Real(0));
+    }
+  }
+
+  /// Returns the number of solves with the factor.
+  std::uint64_t solve_matrix(const ParticleVectors<Real>& residual, ParticleVectors<Real>& direction) {
     const FlushSubnormals flush;
     for (std::size_t row = 0; row < particle_of_row_.size(); ++row) {
       const Index i = particle_of_row_[row];
@@ -80,10 +107,13 @@ class ConstantStiffness final : public DirectionSolver<Real> {
       side[1] = residual.y()[i];
       side[2] = residual.z()[i];
     }
-    if (positive_definite_) {
-      factor_.solve(sides_.data());
-    } else {
+    std::uint64_t solves = 1;
+    if (!positive_definite_) {
       std::fill(sides_.begin(), sides_.end(), std::numeric_limits<Real>::quiet_NaN());
+    } else if (change_) {
+      solves = change_->solve(factor_, sides_.data());
+    } else {
+      factor_.solve(sides_.data());
     }
     for (std::size_t row = 0; row < particle_of_row_.size(); ++row) {
       const Index i = particle_of_row_[row];
@@ -92,14 +122,17 @@ class ConstantStiffness final : public DirectionSolver<Real> {
       direction.y()[i] = side[1];
       direction.z()[i] = side[2];
     }
+    return solves;
   }
 
-  Executor& executor_;
   SpringLaplacian matrix_;
   CholeskyFactor<Real> factor_;
   EffectStiffness<Real> effects_;
-  std::vector<Real> factored_effects_;  // [kg]
+  std::vector<Real> stiffness_at_start_, damping_at_start_;  // of the effects [N/m], [N s/m]
+  std::vector<Real> factored_effects_;                       // [kg]
+  std::optional<ChangedDiagonal<Real>> change_;
   std::vector<Index> particle_of_row_;
+  std::vector<std::uint32_t> unknown_of_row_;
   AlignedVector<Real> sides_;
   std::optional<SecantPairs<Real>> pairs_;
   std::optional<ParticleVectors<Real>> remainder_;

@@ -4,11 +4,11 @@
 
 namespace hooke {
 
-/// Directions of projective dynamics (Liu et al. 2013): solves with the matrix of SpringLaplacian and what
-/// the effects add to its diagonal. In no state do springs have more stiffness than it has, so each direction
-/// leads to a lower potential; and it stays the same from step to step, so it is factored once. It is
-/// factored again where the step changes, and where the effects of a particle become stiffer in a stage than
-/// the matrix knows, as at contact with the ground.
+/// Directions of projective dynamics (Liu et al. 2013): solves with the matrix of SpringLaplacian and a
+/// diagonal of the effects. In no state do springs have more stiffness than it has, so each direction leads
+/// to a lower potential; and it stays the same from step to step, so it is factored once, with the effects as
+/// they are in the scene's first state. Where they are stiffer in a stage, as at contact with the ground,
+/// that is made up for without another factor (ChangedDiagonal).
 ///
 /// With `secant_pairs` > 0, directions are bettered by what so many iterations before them told of the true
 /// matrix (SecantPairs).

@@ -24,6 +24,8 @@ class SpringLaplacian {
   /// The matrix that was weighted last; at first with weights 1.
   const SymmetricMatrix& matrix() const { return matrix_; }
 
+  double diagonal(std::size_t unknown) const { return matrix_.valuePtr()[matrix_.outerIndexPtr()[unknown]]; }
+
   /// Weighs it, and adds to the diagonal a value [kg] for each of the engine's particles, if there are any.
   template <class Real>
   void weigh(const DerivativeWeights<double>& weights, const std::vector<Real>& diagonal);
