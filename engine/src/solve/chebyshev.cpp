@@ -48,7 +48,6 @@ Chebyshev<Real>::Chebyshev(double rho, std::size_t particles)
 
 template <class Real>
 void Chebyshev<Real>::remember(const State<Real>& now, Executor& executor) {
-  if (rho_ == 0.0) return;
   ParticleVectors<Real>& before = before_[sweeps_ % 2];
   for_each_run(now.size(), executor, [&](std::size_t first, std::size_t last) {
     std::copy(now.vx() + first, now.vx() + last, before.x() + first);
@@ -59,7 +58,6 @@ void Chebyshev<Real>::remember(const State<Real>& now, Executor& executor) {
 
 template <class Real>
 void Chebyshev<Real>::accelerate(VertexSweeps<Real>& sweeps, Executor& executor) {
-  if (rho_ == 0.0) return;
   ++sweeps_;
   if (sweeps_ == 1) {
     omega_ = 1.0;

@@ -14,7 +14,7 @@ namespace hooke {
 template <class Real>
 class Chebyshev {
  public:
-  /// With rho = 0 it does nothing, and holds nothing.
+  /// With rho = 0, when it is not to be used, it holds nothing.
   Chebyshev(double rho, std::size_t particles);
 
   /// Before the first sweep of a stage.
