@@ -74,9 +74,9 @@ HWY_INLINE Vector4<V> load_packed4(D d, const hn::TFromD<D>* packed, const Offse
     // A block holds x, y or z, w.
     const V xy0 = load_blocks(d, packed, offsets, 2), xy1 = load_blocks(d, packed, offsets + 1, 2);
     const V z0 = load_blocks(d, packed + 2, offsets, 2), z1 = load_blocks(d, packed + 2, offsets + 1, 2);
-    return {{hn::InterleaveLower(d, xy0, xy1), hn::InterleaveUpper(d, xy0, xy1),
-             hn::InterleaveLower(d, z0, z1)},
-            hn::InterleaveUpper(d, z0, z1)};
+    return {
+        {hn::InterleaveLower(d, xy0, xy1), hn::InterleaveUpper(d, xy0, xy1), hn::InterleaveLower(d, z0, z1)},
+        hn::InterleaveUpper(d, z0, z1)};
   } else {
     // A block holds x, y, z, w: four of them are transposed in three steps.
     const V a0 = load_blocks(d, packed, offsets, 4), a1 = load_blocks(d, packed, offsets + 1, 4);

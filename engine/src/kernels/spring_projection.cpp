@@ -49,7 +49,8 @@ class Projection {
   /// The springs from `spring` on. `multipliers` is null or theirs.
   HWY_INLINE void project(std::size_t spring, Real* multipliers) const {
     const D d;
-    const std::int32_t *const first = groups_.first.data() + spring, *const second = groups_.second.data() + spring;
+    const std::int32_t *const first = groups_.first.data() + spring, *const second =
+                                                                         groups_.second.data() + spring;
     Vector4<V> a = load_packed4(d, particles_.now, first), b = load_packed4(d, particles_.now, second);
     const Vector3<V> apart = a.xyz - b.xyz;
     const V tiny = hn::Set(d, std::numeric_limits<Real>::min());

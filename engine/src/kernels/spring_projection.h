@@ -30,15 +30,15 @@ struct ProjectedParticles {
   const Real* before;  ///< at the start of the step; only read where springs are damped
 };
 
-/// Puts springs right one after the other, as Macklin, Mueller and Chentanez 2016, with compliance 1 / k. With
-/// C = l - l0, n the unit vector along the spring, L the multiplier [N s^2] and w the sum of both
+/// Puts springs right one after the other, as Macklin, Mueller and Chentanez 2016, with compliance 1 / k.
+/// With C = l - l0, n the unit vector along the spring, L the multiplier [N s^2] and w the sum of both
 /// inverse masses:
 ///   dL = -(k h^2 C + L + c h n.(x - x_before)) / ((k h^2 + c h) w + 1),   dx = +-(1 / m) n dL
 /// of which neither k = 0 nor infinitely heavy ends divide by zero. Where both ends are at one place there is
 /// no direction, and nothing moves.
 ///
-/// The groups [begin, end). `multipliers`: 16 for each group, updated; null stands for zeros that nobody wants
-/// to know of later.
+/// The groups [begin, end). `multipliers`: 16 for each group, updated; null stands for zeros that nobody
+/// wants to know of later.
 template <class Real>
 void project_springs(const SpringGroups<Real>& groups, std::size_t begin, std::size_t end, Real h,
                      const ProjectedParticles<Real>& particles, Real* multipliers);

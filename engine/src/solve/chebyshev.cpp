@@ -38,6 +38,9 @@ void pack(State<Real>& state, std::size_t first) {
   }
 }
 
+/// Sweeps before acceleration sets in.
+constexpr std::size_t first_sweeps = 6;
+
 }  // namespace
 
 template <class Real>
@@ -59,11 +62,8 @@ void Chebyshev<Real>::remember(const State<Real>& now, Executor& executor) {
 template <class Real>
 void Chebyshev<Real>::accelerate(VertexSweeps<Real>& sweeps, Executor& executor) {
   ++sweeps_;
-  if (sweeps_ == 1) {
-    omega_ = 1.0;
-    return;
-  }
-  omega_ = sweeps_ == 2 ? 2.0 / (2.0 - rho_ * rho_) : 4.0 / (4.0 - rho_ * rho_ * omega_);
+  if (sweeps_ <= first_sweeps + 1) return;
+  omega_ = sweeps_ == first_sweeps + 2 ? 2.0 / (2.0 - rho_ * rho_) : 4.0 / (4.0 - rho_ * rho_ * omega_);
   const Extrapolation<Real> extrapolation{Real(omega_), sweeps.h()};
   const ParticleVectors<Real>& before = before_[sweeps_ % 2];
   const State<Real>& from = sweeps.from();

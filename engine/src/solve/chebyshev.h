@@ -10,7 +10,8 @@ namespace hooke {
 /// Chebyshev's acceleration of an iteration whose error falls by `rho` in each sweep (Wang 2015):
 ///   v_s+1 = w_s+1 (what the sweep made of v_s - v_s-1) + v_s-1,
 ///   w_1 = 1, w_2 = 2 / (2 - rho^2), w_s+1 = 4 / (4 - rho^2 w_s)
-/// of velocities, and positions after them.
+/// of velocities, and positions after them. The first sweeps of a stage are not counted: they change much, in
+/// ways that are not linear, and going further along those costs more sweeps than it saves.
 template <class Real>
 class Chebyshev {
  public:

@@ -24,9 +24,7 @@ ColouredGroups<Real>::ColouredGroups(const Springs& springs, const Order& engine
 
 template <class Real>
 void ColouredGroups<Real>::add(const Springs& springs, const Order& engine, Index spring) {
-  const auto offset = [&](Index end) {
-    return std::int32_t(engine.engine(end)) * offsets_of_particle<Real>;
-  };
+  const auto offset = [&](Index end) { return std::int32_t(engine.engine(end)) * offsets_of_particle<Real>; };
   groups_.first.push_back(offset(springs.first[spring]));
   groups_.second.push_back(offset(springs.second[spring]));
   groups_.stiffness.push_back(Real(springs.stiffness[spring]));

@@ -16,7 +16,8 @@ class ColouredGroups {
   ColouredGroups(const Springs& springs, const Order& engine);
 
   /// Puts all springs right, one colour after the other.
-  void project(Real h, const ProjectedParticles<Real>& particles, Real* multipliers, Executor& executor) const;
+  void project(Real h, const ProjectedParticles<Real>& particles, Real* multipliers,
+               Executor& executor) const;
 
   std::size_t size() const { return groups_.stiffness.size() / block_size; }  ///< groups
   std::size_t colours() const { return colour_begin_.size() - 1; }
