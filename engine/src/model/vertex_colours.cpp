@@ -70,8 +70,10 @@ VertexColours colour_vertices(const Springs& springs, const Adjacency& adjacency
   std::vector<Index> users;
   users.reserve(engine.size());
   std::vector<std::size_t> begin = {0};
-  for (const std::vector<Index>& colour : colours) {
-    for (const Index e : colour) users.push_back(engine.user(e));
+  for (std::vector<Index>& colour : colours) {
+    for (Index& particle : colour) particle = engine.user(particle);
+    if (!regular) sort_windows_by_degree(adjacency, colour);
+    users.insert(users.end(), colour.begin(), colour.end());
     begin.push_back(users.size());
   }
   return {Order(std::move(users), regular ? "by colour, in a cycle" : "by colour"), std::move(begin)};

@@ -1,5 +1,7 @@
 #include <hooke/simulation.h>
 
+#include <cmath>
+
 #include "scene/element_checks.h"
 #include "scene/number_text.h"
 #include "stability/step_division.h"
