@@ -34,7 +34,7 @@ class VertexSweeps {
   State<Real>& now() { return now_; }
   Real h() const { return h_; }  ///< [s]
 
-  std::size_t colours() const { return colour_begin_.size() - 1; }
+  std::size_t colours() const { return colours_.size(); }
   std::size_t bytes() const;
 
  private:
@@ -43,11 +43,20 @@ class VertexSweeps {
 
   double solve_strip(const VertexEquations<Real>& equations, const VertexStrip& strip);
 
+  /// The strips of one colour: `together` of them run at once. The others run after them, one by one: vectors
+  /// that they load overlap particles of their own colour, although they make no use of these.
+  struct Colour {
+    std::size_t first, together, last;  ///< in strips_
+  };
+
+  void cut_into_strips(const std::vector<std::size_t>& colour_begin);
+  bool overlaps(const VertexStrip& strip, std::size_t first, std::size_t last) const;
+
   Executor& executor_;
-  Model<Real> model_;                      ///< in the order of colours
-  Forces<Real> forces_;                    ///< the same
-  std::vector<Index> engine_;              ///< for each particle here its number in the engine's order
-  std::vector<std::size_t> colour_begin_;  ///< in strips_; one more than there are colours
+  Model<Real> model_;          ///< in the order of colours
+  Forces<Real> forces_;        ///< the same
+  std::vector<Index> engine_;  ///< for each particle here its number in the engine's order
+  std::vector<Colour> colours_;
   std::vector<VertexStrip> strips_;
   std::vector<double> changes_;  ///< for each strip
   State<Real> from_, now_;
