@@ -221,7 +221,8 @@ double gap_to_backward_euler(const Scene& scene, double h, std::uint64_t iterati
 
 }  // namespace
 
-TEST_CASE("XPBD comes near backward Euler with the same steps; shorter steps close the gap, iterations do not") {
+TEST_CASE(
+    "XPBD comes near backward Euler with the same steps; shorter steps close the gap, iterations do not") {
   const Scene scene = disturbed_cloth(1.0, 0.1);
   const auto gap = [&](double h, std::uint64_t iterations) {
     const double share = gap_to_backward_euler(scene, h, iterations);
