@@ -212,8 +212,55 @@ struct ProjectiveDynamics {
   }
 };
 
+/// Extended position-based dynamics: each step is taken in substeps, and each of those moves particles
+/// freely, then puts the springs right one by one, those that share no particle at once (Macklin, Mueller and
+/// Chentanez 2016; Macklin et al. 2019). Springs are as stiff as they are: their compliance is 1 / k.
+///
+/// One spring alone is moved as by backward Euler. Of several, each spring is put right along the direction
+/// that it has at the moment, and what is left over when the iterations end stays: the result comes near
+/// backward Euler's with substeps of that length, and does not become equal with more iterations
+/// (docs/methods.md says by how much). Forces of effects act once in a substep, before the springs.
+struct Xpbd {
+  std::uint64_t substeps = 20;   ///< equal parts of a step, >= 1
+  std::uint64_t iterations = 1;  ///< over all springs in a substep, >= 1
+
+  static constexpr int order = 1, force_evaluations = 1;
+  static constexpr double oscillation_limit = no_oscillation_limit;
+
+  static constexpr std::string_view name = "xpbd";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("substeps", self.substeps);
+    visit("iterations", self.iterations);
+  }
+};
+
+/// Vertex block descent: backward Euler, solved particle by particle. Each solves its own three equations
+/// with its neighbours where they are at the moment, those that share no spring at once (Chen et al. 2024).
+/// What is left over after the last sweep stays; with enough of them the step is BackwardEuler's. Springs and
+/// effects that span many particles need many sweeps.
+struct VertexBlockDescent {
+  std::uint64_t iterations = 20;  ///< sweeps over all particles in a step, at most; >= 1
+  double tolerance = 0.0;         ///< ends sweeps when one changes positions, RMS over the scene's size [1],
+                                  ///< by no more; >= 0
+  double acceleration = 0.0;      ///< of sweeps, by Chebyshev's method: rho in [0, 1), 0 for none; given up
+                                  ///< in a step where changes grow (Wang 2015)
+
+  static constexpr int order = 1, force_evaluations = 1;
+  static constexpr double oscillation_limit = no_oscillation_limit;
+
+  static constexpr std::string_view name = "vertex_block_descent";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("iterations", self.iterations);
+    visit("tolerance", self.tolerance);
+    visit("acceleration", self.acceleration);
+  }
+};
+
 using Method = std::variant<SymplecticEuler, ExplicitEuler, Midpoint, Heun, RungeKutta4, Verlet, BlanesMoan,
-                            DormandPrince, BackwardEuler, ImplicitMidpoint, Bdf2, ProjectiveDynamics>;
+                            DormandPrince, BackwardEuler, ImplicitMidpoint, Bdf2, ProjectiveDynamics, Xpbd,
+                            VertexBlockDescent>;
 
 /// One of each method, with its default parameters, in the order above.
 inline constexpr auto all_methods = []<std::size_t... I>(std::index_sequence<I...>) {

@@ -35,19 +35,28 @@ typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const
   return std::monostate{};
 }
 
+template <class Real>
+Model<Real> model_in_chosen_order(const Scene& scene, Accumulation accumulation, Executor& executor) {
+  const std::size_t count = scene.particles.size();
+  const Adjacency adjacency(scene.springs, count);
+  return {scene, adjacency, choose_order(scene.springs, adjacency, count), accumulation, executor};
+}
+
 }  // namespace
 
 template <class Real>
 Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& executor)
-    : order(0, ""), springs(scene.springs.size()) {
-  const std::size_t count = scene.particles.size();
-  const Adjacency adjacency(scene.springs, count);
-  order = choose_order(scene.springs, adjacency, count);
-  spring_reach = hooke::spring_reach(scene.springs, order);
-  spring_layout = lay_out_springs<Real>(scene.springs, adjacency, order, accumulation, executor);
-  inverse_mass = inverse_masses<Real>(scene, order);
-  moving_pins = hooke::moving_pins(scene, order);
-}
+    : Model(model_in_chosen_order<Real>(scene, accumulation, executor)) {}
+
+template <class Real>
+Model<Real>::Model(const Scene& scene, const Adjacency& adjacency, Order chosen, Accumulation accumulation,
+                   Executor& executor)
+    : order(std::move(chosen)),
+      springs(scene.springs.size()),
+      spring_reach(hooke::spring_reach(scene.springs, order)),
+      inverse_mass(inverse_masses<Real>(scene, order)),
+      spring_layout(lay_out_springs<Real>(scene.springs, adjacency, order, accumulation, executor)),
+      moving_pins(hooke::moving_pins(scene, order)) {}
 
 template <class Real>
 const Slots<Real>* slots_of(const Model<Real>& model) {

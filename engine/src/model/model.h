@@ -5,6 +5,7 @@
 
 #include <hooke/simulation.h>
 
+#include "model/adjacency.h"
 #include "model/colouring.h"
 #include "model/order.h"
 #include "model/pins.h"
@@ -28,6 +29,10 @@ struct Model {
   std::vector<MovingPin> moving_pins;
 
   Model(const Scene& scene, Accumulation accumulation, Executor& executor);
+
+  /// With its particles in an order that the caller chose.
+  Model(const Scene& scene, const Adjacency& adjacency, Order order, Accumulation accumulation,
+        Executor& executor);
 
   std::size_t particles() const { return order.size(); }
   bool pinned(std::size_t particle) const { return inverse_mass[particle] == Real(0); }  ///< engine's order

@@ -38,8 +38,8 @@ double grid_share(const Springs& springs) {
   return sampled == 0 ? 1.0 : double(covered) / double(sampled);
 }
 
-/// Sorts by falling degree within windows of a few blocks, as blocks of equal degrees leave few lanes of
-/// their slots empty while neighbours stay near (SELL-C-sigma, Kreutzer et al. 2014).
+}  // namespace
+
 void sort_windows_by_degree(const Adjacency& adjacency, std::vector<Index>& order) {
   constexpr std::size_t window = 4 * block_size;
   const auto larger_degree = [&](Index a, Index b) { return adjacency.degree(a) > adjacency.degree(b); };
@@ -49,8 +49,6 @@ void sort_windows_by_degree(const Adjacency& adjacency, std::vector<Index>& orde
                      larger_degree);
   }
 }
-
-}  // namespace
 
 Order choose_order(const Springs& springs, const Adjacency& adjacency, std::size_t particles) {
   constexpr double grid_like = 0.9;

@@ -38,4 +38,8 @@ class Order {
 /// grid; otherwise numbers neighbours close together (model/middle_out_order.h).
 Order choose_order(const Springs& springs, const Adjacency& adjacency, std::size_t particles);
 
+/// Sorts the user's numbers by falling degree within windows of a few blocks, as blocks of equal degrees
+/// leave few lanes of their slots empty while neighbours stay near (SELL-C-sigma, Kreutzer et al. 2014).
+void sort_windows_by_degree(const Adjacency& adjacency, std::vector<Index>& order);
+
 }  // namespace hooke

@@ -35,6 +35,10 @@ void ElementChecks::too_few(std::string_view name, std::size_t value, std::size_
   add(value_problem(name, std::to_string(value), ""), "give at least " + std::to_string(least));
 }
 
+void ElementChecks::too_many(std::string_view name, std::uint64_t value, std::uint64_t most) const {
+  add(value_problem(name, std::to_string(value), ""), "give at most " + std::to_string(most));
+}
+
 void ElementChecks::out_of_range(std::string_view name, Index index, std::size_t count,
                                  std::string_view plural) const {
   std::string problem = value_problem(name, std::to_string(index), "");

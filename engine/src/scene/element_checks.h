@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -42,6 +43,9 @@ class ElementChecks {
   void at_least(std::string_view name, std::size_t value, std::size_t least) const {
     if (value < least) too_few(name, value, least);
   }
+  void at_most(std::string_view name, std::uint64_t value, std::uint64_t most) const {
+    if (value > most) too_many(name, value, most);
+  }
   /// `index` counts into `count` of what `plural` says, such as "particles".
   void in_range(std::string_view name, Index index, std::size_t count, std::string_view plural) const {
     if (index >= count) out_of_range(name, index, count, plural);
@@ -54,6 +58,7 @@ class ElementChecks {
   void bad_value(std::string_view name, const Vec3& value, std::string_view unit,
                  std::string_view remedy) const;
   void too_few(std::string_view name, std::size_t value, std::size_t least) const;
+  void too_many(std::string_view name, std::uint64_t value, std::uint64_t most) const;
   void out_of_range(std::string_view name, Index index, std::size_t count, std::string_view plural) const;
 
   std::vector<Fault>& faults_;

@@ -1,6 +1,9 @@
 #include <hooke/simulation.h>
 
+#include <cmath>
+
 #include "scene/element_checks.h"
+#include "scene/number_text.h"
 #include "stability/step_division.h"
 
 namespace hooke {
@@ -42,6 +45,27 @@ void check_method(std::vector<Fault>& faults, const ProjectiveDynamics& method) 
   checks.at_least("iterations", method.iterations, 1);
   checks.not_negative("tolerance", method.tolerance, "");
   if (method.history > 100) checks.add("history is " + std::to_string(method.history), "give at most 100");
+}
+
+/// More than this in a step take too long to be meant.
+constexpr std::uint64_t most_substeps = 100'000, most_sweeps = 1'000'000;
+
+void check_method(std::vector<Fault>& faults, const Xpbd& method) {
+  const ElementChecks checks(faults, "method (xpbd)");
+  checks.at_least("substeps", method.substeps, 1);
+  checks.at_most("substeps", method.substeps, most_substeps);
+  checks.at_least("iterations", method.iterations, 1);
+  checks.at_most("iterations", method.iterations, most_sweeps);
+}
+
+void check_method(std::vector<Fault>& faults, const VertexBlockDescent& method) {
+  const ElementChecks checks(faults, "method (vertex_block_descent)");
+  checks.at_least("iterations", method.iterations, 1);
+  checks.at_most("iterations", method.iterations, most_sweeps);
+  checks.not_negative("tolerance", method.tolerance, "");
+  checks.not_negative("acceleration", method.acceleration, "");
+  if (std::isfinite(method.acceleration) && method.acceleration >= 1.0)
+    checks.add("acceleration is " + to_text(method.acceleration), "give a value in [0, 1)");
 }
 
 void check_accumulation(const ElementChecks& checks, const Settings& settings) {

@@ -4,6 +4,8 @@
 #include "solve/conjugate_gradients.h"
 #include "solve/constant_stiffness.h"
 #include "solve/descent.h"
+#include "solve/vertex_block_descent.h"
+#include "solve/xpbd.h"
 
 namespace hooke {
 namespace {
@@ -39,6 +41,16 @@ template <class Real>
 StageSolverPointer<Real> solver_of(const ProjectiveDynamics& method, const SolverContext<Real>& context) {
   return make_descent<Real>(ProjectiveDynamics::name, {method.tolerance, method.iterations},
                             make_constant_stiffness<Real>(context, method.history), context);
+}
+
+template <class Real>
+StageSolverPointer<Real> solver_of(const Xpbd& method, const SolverContext<Real>& context) {
+  return make_stage_solver(method, context);
+}
+
+template <class Real>
+StageSolverPointer<Real> solver_of(const VertexBlockDescent& method, const SolverContext<Real>& context) {
+  return make_stage_solver(method, context);
 }
 
 }  // namespace

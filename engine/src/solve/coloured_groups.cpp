@@ -1,0 +1,63 @@
+#include "solve/coloured_groups.h"
+
+#include "model/slots.h"
+#include "model/spring_colours.h"
+
+namespace hooke {
+namespace {
+
+/// Groups that one thread takes at a time: some microseconds of work.
+constexpr std::size_t groups_at_once = 32;
+
+}  // namespace
+
+template <class Real>
+ColouredGroups<Real>::ColouredGroups(const Springs& springs, const Order& engine) {
+  const SpringColours colours = colour_springs(springs, engine);
+  for (std::size_t colour = 0; colour < colours.colours(); ++colour) {
+    for (std::size_t s = colours.begin[colour]; s < colours.begin[colour + 1]; ++s)
+      add(springs, engine, colours.springs[s]);
+    fill_group(engine);
+    colour_begin_.push_back(size());
+  }
+}
+
+template <class Real>
+void ColouredGroups<Real>::add(const Springs& springs, const Order& engine, Index spring) {
+  const auto offset = [&](Index end) { return std::int32_t(engine.engine(end)) * offsets_of_particle<Real>; };
+  groups_.first.push_back(offset(springs.first[spring]));
+  groups_.second.push_back(offset(springs.second[spring]));
+  groups_.stiffness.push_back(Real(springs.stiffness[spring]));
+  groups_.rest_length.push_back(Real(springs.rest_length[spring]));
+  if (!springs.damping.empty()) groups_.damping.push_back(Real(springs.damping[spring]));
+}
+
+/// Empty places lead to one more particle, behind the last.
+template <class Real>
+void ColouredGroups<Real>::fill_group(const Order& engine) {
+  while (groups_.first.size() % block_size != 0) {
+    const std::int32_t behind = std::int32_t(engine.size()) * offsets_of_particle<Real>;
+    groups_.first.push_back(behind);
+    groups_.second.push_back(behind);
+    groups_.stiffness.push_back(Real(0));
+    groups_.rest_length.push_back(Real(0));
+    if (!groups_.damping.empty()) groups_.damping.push_back(Real(0));
+  }
+}
+
+template <class Real>
+void ColouredGroups<Real>::project(Real h, const ProjectedParticles<Real>& particles, Real* multipliers,
+                                   Executor& executor) const {
+  for (std::size_t colour = 0; colour < colours(); ++colour) {
+    const std::size_t first = colour_begin_[colour];
+    executor.parallel_for(colour_begin_[colour + 1] - first, groups_at_once,
+                          [&](std::size_t begin, std::size_t end) {
+                            project_springs(groups_, first + begin, first + end, h, particles, multipliers);
+                          });
+  }
+}
+
+template class ColouredGroups<float>;
+template class ColouredGroups<double>;
+
+}  // namespace hooke

@@ -1,0 +1,156 @@
+#include "solve/vertex_sweeps.h"
+
+#include <algorithm>
+
+namespace hooke {
+namespace {
+
+/// Particles copied by one thread at a time.
+constexpr std::size_t copied_particles = 4096;
+
+/// Strips that one thread takes at a time: some microseconds of work.
+constexpr std::size_t strips_at_once = 4;
+
+/// Calls visit(begin, end) for strips of the blocks in which the particles [first, last) are; what they share
+/// with others is a strip of its own.
+template <class Visit>
+void for_each_part(std::size_t first, std::size_t last, const Visit& visit) {
+  const std::size_t begin = first / block_size, end = block_count(last);
+  const std::size_t whole_begin = block_count(first), whole_end = last / block_size;
+  if (whole_begin >= whole_end) {
+    for_each_strip(begin, end, visit);
+    return;
+  }
+  if (begin < whole_begin) visit(begin, whole_begin);
+  for_each_strip(whole_begin, whole_end, visit);
+  if (whole_end < end) visit(whole_end, end);
+}
+
+}  // namespace
+
+template <class Real>
+VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context)
+    : VertexSweeps(context, Adjacency(context.scene.springs, context.model.particles())) {}
+
+template <class Real>
+VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjacency& adjacency)
+    : VertexSweeps(context, adjacency,
+                   colour_vertices(context.scene.springs, adjacency, context.model.order)) {}
+
+template <class Real>
+VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjacency& adjacency,
+                                 VertexColours colours)
+    : executor_(context.executor),
+      model_(context.scene, adjacency, std::move(colours.order), Accumulation::gather, context.executor),
+      forces_(context.scene, model_),
+      from_(model_.particles()),
+      now_(model_.particles(), packed_for(model_)) {
+  cut_into_strips(colours.begin);
+  engine_.reserve(model_.particles());
+  for (std::size_t i = 0; i < model_.particles(); ++i)
+    engine_.push_back(context.model.order.engine(model_.order.user(i)));
+}
+
+template <class Real>
+void VertexSweeps<Real>::cut_into_strips(const std::vector<std::size_t>& colour_begin) {
+  for (std::size_t c = 0; c + 1 < colour_begin.size(); ++c) {
+    const std::size_t first = colour_begin[c], last = colour_begin[c + 1], first_strip = strips_.size();
+    for_each_part(first, last, [&](std::size_t begin, std::size_t end) {
+      strips_.push_back({begin, end, std::max(first, begin * block_size), std::min(last, end * block_size)});
+    });
+    const auto together =
+        std::stable_partition(strips_.begin() + std::ptrdiff_t(first_strip), strips_.end(),
+                              [&](const VertexStrip& strip) { return !overlaps(strip, first, last); });
+    colours_.push_back({first_strip, std::size_t(together - strips_.begin()), strips_.size()});
+  }
+  changes_.resize(strips_.size());
+}
+
+/// Whether vectors that are loaded for a strip reach particles of [first, last) that are not in it.
+template <class Real>
+bool VertexSweeps<Real>::overlaps(const VertexStrip& strip, std::size_t first, std::size_t last) const {
+  const Slots<Real>* const slots = slots_of(model_);
+  const auto reaches = [&](std::int64_t begin, std::size_t count) {
+    return begin < std::int64_t(last) && begin + std::int64_t(count) > std::int64_t(first);
+  };
+  for (std::size_t block = strip.begin; slots != nullptr && block < strip.end; ++block) {
+    const auto& list = slots->list(block);
+    const std::size_t own = block * block_size;
+    for (std::uint32_t s = list.first_shift; s < list.first_indexed; ++s) {
+      if (reaches(std::int64_t(own) + slots->slots[s].shift, block_size)) return true;
+    }
+    for (std::uint32_t s = list.first_indexed; s < list.end; ++s) {
+      for (std::size_t lane = 0; lane < block_size; ++lane) {
+        const std::size_t other = slots->neighbour(block, slots->slots[s], lane);
+        if (other != own + lane && reaches(std::int64_t(other), 1)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+template <class Real>
+void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real>& guess) {
+  h_ = Real(stage.h);
+  time_ = stage.time;
+  executor_.parallel_for(engine_.size(), copied_particles, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Index e = engine_[i];
+      from_.set_position(i, stage.from.position(e));
+      from_.set_velocity(i, stage.from.velocity(e));
+      now_.set_position(i, guess.position(e));
+      now_.set_velocity(i, guess.velocity(e));
+    }
+  });
+}
+
+template <class Real>
+double VertexSweeps<Real>::sweep(Real least_across) {
+  const VertexEquations<Real> equations{slots_of(model_), model_.inverse_mass, from_, h_, least_across};
+  const auto solve = [&](std::size_t first, std::size_t last) {
+    for (std::size_t s = first; s < last; ++s) changes_[s] = solve_strip(equations, strips_[s]);
+  };
+  for (const Colour& colour : colours_) {
+    executor_.parallel_for(
+        colour.together - colour.first, strips_at_once,
+        [&](std::size_t begin, std::size_t end) { solve(colour.first + begin, colour.first + end); });
+    solve(colour.together, colour.last);
+  }
+  double sum = 0.0;
+  for (const double change : changes_) sum += change;
+  return sum;
+}
+
+template <class Real>
+double VertexSweeps<Real>::solve_strip(const VertexEquations<Real>& equations, const VertexStrip& strip) {
+  const Strip<Real> particles(now_, strip.begin, strip.end);
+  StripForce<Real> force{};
+  StripBlocks<Real> blocks{};
+  forces_.add_effects(particles, time_, force);
+  forces_.add_effect_derivatives(particles, {h_ * h_, h_}, blocks);
+  return solve_vertices(equations, strip, force, blocks, now_);
+}
+
+template <class Real>
+void VertexSweeps<Real>::store(State<Real>& next) const {
+  executor_.parallel_for(engine_.size(), copied_particles, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      next.set_position(engine_[i], now_.position(i));
+      next.set_velocity(engine_[i], now_.velocity(i));
+    }
+  });
+}
+
+template <class Real>
+std::size_t VertexSweeps<Real>::bytes() const {
+  const Slots<Real>* const slots = slots_of(model_);
+  return model_.order.bytes() + model_.inverse_mass.bytes() + (slots == nullptr ? 0 : slots->bytes()) +
+         engine_.capacity() * sizeof(Index) + strips_.capacity() * sizeof(VertexStrip) +
+         colours_.capacity() * sizeof(Colour) + changes_.capacity() * sizeof(double) + from_.bytes() +
+         now_.bytes();
+}
+
+template class VertexSweeps<float>;
+template class VertexSweeps<double>;
+
+}  // namespace hooke
