@@ -42,7 +42,7 @@ std::string parts_of(double step, double longest) {
 }
 
 /// How long a step each method bears, and what that means for the file's step.
-void print_stability(const SceneFile& file, std::ostream& out) {
+void print_limits(const SceneFile& file, std::ostream& out) {
   out << "longest step that is surely stable, and what becomes of one of " << rounded(file.settings.step)
       << " s:\n";
   std::vector<TableRow> rows;
@@ -72,12 +72,15 @@ int check(const Arguments& arguments, std::ostream& out, std::ostream& faults) {
     print_faults(error.faults(), arguments, faults);
     return exit_bad_input;
   }
-  if (const std::vector<Fault> found = validate(file.scene, file.settings); !found.empty()) {
-    print_faults(found, arguments, faults);
+  try {
+    const Simulation<double> simulation(file.scene, file.settings);
+    print_contents(file, out);
+    print_limits(file, out);
+    out << simulation.stability().text() << '\n';
+  } catch (const SceneError& error) {
+    print_faults(error.faults(), arguments, faults);
     return exit_bad_input;
   }
-  print_contents(file, out);
-  print_stability(file, out);
   return exit_ok;
 }
 

@@ -210,6 +210,12 @@ double Simulation<Real>::max_strain() const {
 }
 
 template <class Real>
+Stability Simulation<Real>::stability() const {
+  const Parts& p = *parts_;
+  return report_stability(p.stability, p.settings, p.model, p.states.now(), *p.executor);
+}
+
+template <class Real>
 std::uint64_t Simulation<Real>::state_hash() const {
   return hash_state(parts_->whole_state(), parts_->model.order);
 }

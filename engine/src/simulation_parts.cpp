@@ -15,13 +15,14 @@ std::shared_ptr<Executor> executor_of(const Settings& settings) {
   return settings.executor ? settings.executor : make_tbb_executor(settings.threads);
 }
 
-/// The settings, if they and the scene can be simulated; throws SceneError with every fault if not.
+/// The bounds of a scene that can be simulated with these settings; throws SceneError with every fault if it
+/// cannot.
 template <class Real>
-Settings validated(const Scene& scene, Settings settings) {
-  std::vector<Fault> faults = validate(scene, settings);
-  if (faults.empty()) faults = validate_precision<Real>(scene);
-  if (!faults.empty()) throw SceneError(std::move(faults));
-  return settings;
+SceneBounds validated(const Scene& scene, const Settings& settings) {
+  CheckedScene checked = check(scene, settings);
+  if (checked.faults.empty()) checked.faults = validate_precision<Real>(scene);
+  if (!checked.faults.empty()) throw SceneError(std::move(checked.faults));
+  return checked.bounds;
 }
 
 template <class Real>
@@ -34,8 +35,9 @@ std::optional<SolvedSteps<Real>> solved_steps(const Method& method, const Solver
 
 template <class Real>
 Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
-    : settings(validated<Real>(scene, std::move(given))),
-      substeps(substeps_of(scene, settings)),
+    : settings(std::move(given)),
+      stability(scene, validated<Real>(scene, settings)),
+      substeps(substeps_of(stability.bounds, settings)),
       executor(executor_of(settings)),
       model(scene, settings.accumulation, *executor),
       forces(scene, model),

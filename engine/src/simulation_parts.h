@@ -15,6 +15,7 @@
 #include "parallel/tile_workers.h"
 #include "plan.h"
 #include "solve/solved_steps.h"
+#include "stability/stability_report.h"
 #include "state_ring.h"
 
 namespace hooke {
@@ -23,6 +24,7 @@ namespace hooke {
 template <class Real>
 struct Simulation<Real>::Parts {
   Settings settings;
+  StabilityParts stability;
   std::uint64_t substeps;  ///< that each step is taken in
   std::shared_ptr<Executor> executor;
   Model<Real> model;

@@ -83,6 +83,8 @@ TEST_CASE("check says what a good scene holds, and every fault of a bad one") {
   const Outcome good = run_hooke({"check", scene("spring")});
   CHECK(good.exit_code == 0);
   CHECK(good.out.starts_with("ok: 2 particles, 1 springs"));
+  CHECK(contains(good.out, "longest step that is surely stable"));
+  CHECK(contains(good.out, "/s in this state"));
 
   const TemporaryFolder folder;
   write_file(

@@ -13,6 +13,7 @@
 #include <hooke/methods.h>
 #include <hooke/report.h>
 #include <hooke/scene.h>
+#include <hooke/stability.h>
 
 namespace hooke {
 
@@ -149,6 +150,10 @@ class Simulation {
   Vec3 momentum() const;  ///< [kg m/s] of the particles that are not pinned
   /// Largest (l - l0) / l0 of the springs with stiffness and l0 > 0 [1]; 0 where there are none.
   double max_strain() const;
+
+  /// What is guaranteed of the scene, and the highest frequency in the newest state: some 50 products with
+  /// the derivative of the forces, each of which takes about as long as energy(). A Field is not counted.
+  Stability stability() const;
 
   /// A hash of the bits of time, positions and velocities in the user's numbering: equal if and (nearly) only
   /// if they are.

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include <hooke/methods.h>
 #include <hooke/scene.h>
 
-/// How fast a scene can move, and so how long a step it allows. All are upper bounds, found from the springs,
-/// drag and ground planes of the scene without simulating it; a Field's stiffness is not known and not
-/// counted.
+/// How fast a scene can move, and so how long a step it allows. The functions give upper bounds, found from
+/// the springs, drag and ground planes of the scene without simulating it; a Field's stiffness is not known
+/// and not counted.
 ///
 /// They hold however springs are stretched or pressed: what pressing adds across a spring is a negative
 /// stiffness, which makes it buckle and not swing.
@@ -27,5 +31,40 @@ double stability_number(const Scene& scene, double step);
 /// the bounds above. Infinite where nothing pulls or brakes, and for a method that chooses its steps. 0 for a
 /// method that lets undamped oscillations grow however short its step, where the scene has springs.
 double largest_stable_step(const Scene& scene, const Method& method);
+
+/// What a method makes of a scene's bounds.
+struct MethodStability {
+  std::string_view method;    ///< its name
+  double longest_step = 0.0;  ///< see largest_stable_step() [s]
+  /// Equal parts in which it surely bears a step of the settings' length [1]; infinite where it bears no step
+  /// at all.
+  double substeps = 1.0;
+};
+
+/// How stable a simulation is: what is guaranteed of its scene, and what is found in its state of now. See
+/// Simulation::stability().
+struct Stability {
+  static constexpr Index none = ~Index{0};
+
+  double frequency_bound = 0.0;  ///< highest_frequency() [1/s]: no state has a greater one
+  /// The highest angular frequency in the state of now [1/s], of the derivative of spring and ground forces,
+  /// by Lanczos' method. As any result of that method it is from below.
+  double frequency = 0.0;
+  /// The true one is not greater [1/s], but for a chance of 1e-6 (Kuczynski and Wozniakowski 1992); nor is
+  /// the bound. Typically 1 or 2 % more than `frequency`.
+  double frequency_at_most = 0.0;
+  double damping_bound = 0.0;  ///< highest_damping_rate() [1/s]
+  /// The largest c / (2 sqrt(k m)) of a spring alone [1], with 1 / m the sum of both ends' 1 / mass: 1 where
+  /// a spring's ends stop swinging about each other. 0 without dampers, infinite for a damper without
+  /// stiffness.
+  double damping_ratio = 0.0;
+  Index worst_damper = none;             ///< the spring with that damping ratio, in the user's numbering
+  double step = 0.0;                     ///< of the settings [s]
+  std::string_view method;               ///< of the settings
+  std::vector<MethodStability> methods;  ///< in the order of all_methods
+
+  /// A few sentences that say what this means for the step.
+  std::string text() const;
+};
 
 }  // namespace hooke

@@ -68,6 +68,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 #include <cmath>
 
+#include "model/slot_springs.h"
+
 namespace hooke {
 namespace {
 
@@ -90,23 +92,15 @@ void gather_springs(const Slots<double>& slots, const State<double>& state, std:
 
 template <class Real>
 SpringMeasure measure_gathered(const Slots<Real>& slots, const State<Real>& state, std::size_t block) {
-  const std::size_t first = block * block_size;
-  const auto& list = slots.list(block);
   SpringMeasure measure;
-  for (std::uint32_t s = list.first_shift; s < list.end; ++s) {
-    const auto& slot = slots.slots[s];
-    for (std::size_t lane = 0; lane < block_size && first + lane < state.size(); ++lane) {
-      const std::size_t own = first + lane;
-      const std::size_t other = s < list.first_indexed ? own + std::size_t(std::ptrdiff_t(slot.shift))
-                                                       : slots.neighbour(block, slot, lane);
-      const double stiffness = double(slots.row(slot.stiffness)[lane]);
-      if (stiffness == 0.0 || other == own) continue;
-      const double length = std::hypot(double(state.x()[other]) - double(state.x()[own]),
-                                       double(state.y()[other]) - double(state.y()[own]),
-                                       double(state.z()[other]) - double(state.z()[own]));
-      measure.add_spring(length, stiffness, 2.0 * double(slots.row(slot.half_pull)[lane]));
-    }
-  }
+  for_each_spring(slots, state.size(), block,
+                  [&](std::size_t own, std::size_t other, const SlotSpring& spring) {
+                    if (spring.stiffness == 0.0) return;
+                    const double length = std::hypot(double(state.x()[other]) - double(state.x()[own]),
+                                                     double(state.y()[other]) - double(state.y()[own]),
+                                                     double(state.z()[other]) - double(state.z()[own]));
+                    measure.add_spring(length, spring.stiffness, spring.pull);
+                  });
   measure.energy /= double(slots.ends);
   return measure;
 }

@@ -46,15 +46,21 @@ void check_accumulation(const ElementChecks& checks, const Settings& settings) {
 
 }  // namespace
 
-std::vector<Fault> validate(const Scene& scene, const Settings& settings) {
-  std::vector<Fault> faults = validate(scene);
-  const ElementChecks checks(faults, "settings");
+CheckedScene check(const Scene& scene, const Settings& settings) {
+  CheckedScene checked{validate(scene), {}};
+  const ElementChecks checks(checked.faults, "settings");
   checks.positive("step", settings.step, "s");
   checks.at_least("max_steps_per_advance", settings.max_steps_per_advance, 1);
-  std::visit([&](const auto& method) { check_method(faults, method); }, settings.method);
+  std::visit([&](const auto& method) { check_method(checked.faults, method); }, settings.method);
   check_accumulation(checks, settings);
-  if (faults.empty()) check_stability(faults, scene, settings);
-  return faults;
+  if (!checked.faults.empty()) return checked;
+  checked.bounds = bounds_of(scene);
+  check_stability(checked.faults, checked.bounds, settings);
+  return checked;
+}
+
+std::vector<Fault> validate(const Scene& scene, const Settings& settings) {
+  return check(scene, settings).faults;
 }
 
 }  // namespace hooke

@@ -40,34 +40,15 @@ double pull_on_each(const Scene& scene, const Weights& weights) {
   return sum;
 }
 
-/// Masses [kg], infinite where pinned.
-std::vector<double> masses(const Scene& scene) {
-  std::vector<double> mass = scene.particles.mass;
-  for (const Pin& pin : scene.pins) mass[pin.particle] = std::numeric_limits<double>::infinity();
-  return mass;
-}
-
-/// The largest that a particle has of what holds it whatever its springs, over its mass.
-double held_alone(const Scene& scene, const Weights& weights) {
-  const double on_each = pull_on_each(scene, weights);
-  if (on_each == 0.0) return 0.0;
+/// The inverse of the lightest mass that is not pinned [1/kg]; 0 where all are.
+double largest_inverse_mass(const Scene& scene) {
+  std::vector<bool> pinned(scene.particles.size(), false);
+  for (const Pin& pin : scene.pins) pinned[pin.particle] = true;
   double largest = 0.0;
-  for (const double m : masses(scene)) largest = std::max(largest, on_each / m);
-  return largest;
-}
-
-/// Bounds the eigenvalues of M^-1 (weighted K and C): the largest, over springs, of the sum over both ends of
-/// what pulls at an end divided by its mass (Irons' theorem on elements, each mass shared among its springs
-/// in proportion to their pull), and what holds the lightest particle alone. Pinned particles count as
-/// infinitely heavy.
-double largest_eigenvalue(const Scene& scene, const Weights& weights) {
-  const std::vector<double> pull = pulls(scene, weights), mass = masses(scene);
-  double of_springs = 0.0;
-  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
-    const Index i = scene.springs.first[s], j = scene.springs.second[s];
-    of_springs = std::max(of_springs, pull[i] / mass[i] + pull[j] / mass[j]);
+  for (std::size_t i = 0; i < pinned.size(); ++i) {
+    if (!pinned[i]) largest = std::max(largest, 1.0 / scene.particles.mass[i]);
   }
-  return of_springs + held_alone(scene, weights);
+  return largest;
 }
 
 /// The h > 0 at which h^2 k + 2 h c = 4; infinite where there is none.
@@ -76,41 +57,96 @@ double step_at_the_limit(double k, double c) {
   return sum > 0.0 ? 4.0 / sum : std::numeric_limits<double>::infinity();
 }
 
+/// What pulls and what brakes at each particle over its mass, which for a pinned one is infinite.
+///
+/// The eigenvalues of M^-1 (weighted K and C) are bounded by the largest, over springs, of the sum over both
+/// ends of what pulls at an end divided by its mass (Irons' theorem on elements, each mass shared among its
+/// springs in proportion to their pull), and what holds the lightest particle alone.
+class PullsOverMasses {
+ public:
+  explicit PullsOverMasses(const Scene& scene) : scene_(scene), pull_(over_masses(of_stiffness)) {
+    // A scene may be large: what it lacks takes no memory here.
+    if (!scene.springs.damping.empty()) brake_ = over_masses(of_damping);
+    const double on_each_pull = pull_on_each(scene, of_stiffness);
+    const double on_each_brake = pull_on_each(scene, of_damping);
+    if (on_each_pull + on_each_brake == 0.0) return;
+    const double inverse_mass = largest_inverse_mass(scene);
+    pull_alone_ = on_each_pull * inverse_mass;
+    brake_alone_ = on_each_brake * inverse_mass;
+  }
+
+  /// Calls visit(pull, brake) with what counts for each spring, and for what is held alone.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    visit(pull_alone_, brake_alone_);
+    for (std::size_t s = 0; s < scene_.springs.size(); ++s) {
+      const Index i = scene_.springs.first[s], j = scene_.springs.second[s];
+      visit(pull_[i] + pull_[j] + pull_alone_, (brake_.empty() ? 0.0 : brake_[i] + brake_[j]) + brake_alone_);
+    }
+  }
+
+ private:
+  static constexpr Weights of_stiffness{1.0, 0.0}, of_damping{0.0, 1.0};
+
+  std::vector<double> over_masses(const Weights& weights) const {
+    std::vector<double> sums = pulls(scene_, weights);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= scene_.particles.mass[i];
+    for (const Pin& pin : scene_.pins) sums[pin.particle] = 0.0;
+    return sums;
+  }
+
+  const Scene& scene_;
+  std::vector<double> pull_, brake_;  ///< for each particle [1/s^2], [1/s]; no brake: no spring is damped
+  double pull_alone_ = 0.0, brake_alone_ = 0.0;
+};
+
+/// Notes the spring whose damper is the strongest for its stiffness and its ends' masses.
+void find_worst_damper(const Scene& scene, SceneBounds& bounds) {
+  if (scene.springs.damping.empty()) return;
+  std::vector<double> inverse_mass(scene.particles.size());
+  for (std::size_t i = 0; i < inverse_mass.size(); ++i) inverse_mass[i] = 1.0 / scene.particles.mass[i];
+  for (const Pin& pin : scene.pins) inverse_mass[pin.particle] = 0.0;
+  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
+    const double c = scene.springs.damping[s];
+    const double inverse = inverse_mass[scene.springs.first[s]] + inverse_mass[scene.springs.second[s]];
+    if (c == 0.0 || inverse == 0.0) continue;
+    const double ratio = 0.5 * c * std::sqrt(inverse / scene.springs.stiffness[s]);
+    if (ratio > bounds.damping_ratio) {
+      bounds.damping_ratio = ratio;
+      bounds.worst_damper = Index(s);
+    }
+  }
+}
+
 }  // namespace
 
+SceneBounds bounds_of(const Scene& scene) {
+  SceneBounds bounds;
+  double stiffness = 0.0;
+  PullsOverMasses(scene).for_each([&](double pull, double brake) {
+    stiffness = std::max(stiffness, pull);
+    bounds.damping_rate = std::max(bounds.damping_rate, brake);
+    bounds.kick_and_drift = std::min(bounds.kick_and_drift, step_at_the_limit(pull, brake));
+  });
+  bounds.frequency = std::sqrt(stiffness);
+  find_worst_damper(scene, bounds);
+  return bounds;
+}
+
 double highest_frequency(const Scene& scene) {
-  return std::sqrt(largest_eigenvalue(scene, {1.0, 0.0}));
+  return bounds_of(scene).frequency;
 }
 
 double highest_damping_rate(const Scene& scene) {
-  return largest_eigenvalue(scene, {0.0, 1.0});
+  return bounds_of(scene).damping_rate;
 }
 
 double stability_number(const Scene& scene, double step) {
-  return largest_eigenvalue(scene, {step * step, 2.0 * step});
-}
-
-double longest_kick_and_drift(const Scene& scene) {
-  constexpr Weights of_stiffness{1.0, 0.0}, of_damping{0.0, 1.0};
-  // Over its mass, what pulls and what brakes at each particle. A scene may be large: what it lacks takes no
-  // memory here.
-  const bool damped = !scene.springs.damping.empty();
-  std::vector<double> pull = pulls(scene, of_stiffness);
-  std::vector<double> brake = damped ? pulls(scene, of_damping) : std::vector<double>();
-  for (std::vector<double>* sums : {&pull, &brake}) {
-    for (std::size_t i = 0; i < sums->size(); ++i) (*sums)[i] /= scene.particles.mass[i];
-    for (const Pin& pin : scene.pins) {
-      if (!sums->empty()) (*sums)[pin.particle] = 0.0;
-    }
-  }
-  const double pull_alone = held_alone(scene, of_stiffness), brake_alone = held_alone(scene, of_damping);
-  double longest = step_at_the_limit(pull_alone, brake_alone);
-  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
-    const Index i = scene.springs.first[s], j = scene.springs.second[s];
-    longest = std::min(longest, step_at_the_limit(pull[i] + pull[j] + pull_alone,
-                                                  (damped ? brake[i] + brake[j] : 0.0) + brake_alone));
-  }
-  return longest;
+  double largest = 0.0;
+  PullsOverMasses(scene).for_each([&](double pull, double brake) {
+    largest = std::max(largest, step * step * pull + 2.0 * step * brake);
+  });
+  return largest;
 }
 
 }  // namespace hooke

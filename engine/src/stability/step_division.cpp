@@ -16,14 +16,10 @@ namespace {
 /// More would hardly be meant: each step would take as long as a simulation.
 constexpr double most_substeps = 1e5;
 
-bool bears_oscillations(const Method& method) {
-  return std::visit([](const auto& one) { return one.oscillation_limit > 0.0; }, method);
-}
-
-/// The substeps that the step needs where the longest stable one is this [s]; may be infinite.
-double needed_substeps(const Settings& settings, double longest) {
+/// Those that the settings' step is taken in if it is divided; more than can be where that is refused.
+double substeps_if_divided(const Settings& settings, double longest) {
   if (longest == 0.0 && !bears_oscillations(settings.method)) return 1.0;
-  return std::max(1.0, std::ceil(settings.step / longest));
+  return needed_substeps(settings.step, longest);
 }
 
 /// A length of time in four digits, rounded down, so that it is one that can be taken.
@@ -35,16 +31,24 @@ std::string rounded_down(double seconds) {
 
 }  // namespace
 
-std::uint64_t substeps_of(const Scene& scene, const Settings& settings) {
-  if (settings.unstable_step != UnstableStep::divide) return 1;
-  const double longest = largest_stable_step(scene, settings.method);
-  return std::uint64_t(std::min(needed_substeps(settings, longest), most_substeps));
+double needed_substeps(double step, double longest) {
+  return std::max(1.0, std::ceil(step / longest));
 }
 
-void check_stability(std::vector<Fault>& faults, const Scene& scene, const Settings& settings) {
+bool bears_oscillations(const Method& method) {
+  return std::visit([](const auto& one) { return one.oscillation_limit > 0.0; }, method);
+}
+
+std::uint64_t substeps_of(const SceneBounds& bounds, const Settings& settings) {
+  if (settings.unstable_step != UnstableStep::divide) return 1;
+  const double longest = largest_stable_step(bounds, settings.method);
+  return std::uint64_t(std::min(substeps_if_divided(settings, longest), most_substeps));
+}
+
+void check_stability(std::vector<Fault>& faults, const SceneBounds& bounds, const Settings& settings) {
   if (settings.unstable_step == UnstableStep::take) return;
-  const double longest = largest_stable_step(scene, settings.method);
-  const double needed = needed_substeps(settings, longest);
+  const double longest = largest_stable_step(bounds, settings.method);
+  const double needed = substeps_if_divided(settings, longest);
   const bool refused = settings.unstable_step == UnstableStep::refuse && settings.step > longest;
   if (!refused && needed <= most_substeps) return;
   const std::string method(to_string(settings.method));

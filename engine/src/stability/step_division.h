@@ -5,14 +5,32 @@
 
 #include <hooke/simulation.h>
 
+#include "stability/scene_bounds.h"
+
 namespace hooke {
+
+/// How many equal substeps a step [s] needs where the longest stable one is `longest` [s]. May be infinite,
+/// and then no step is short enough.
+double needed_substeps(double step, double longest);
+
+/// Whether the method lets an undamped oscillation stay bounded at any step at all.
+bool bears_oscillations(const Method& method);
 
 /// How many equal substeps each step is taken in, by the settings' choice. One for a method that bears no
 /// step at all: shorter ones would not help it. The scene and the settings have no faults.
-std::uint64_t substeps_of(const Scene& scene, const Settings& settings);
+std::uint64_t substeps_of(const SceneBounds& bounds, const Settings& settings);
 
 /// Adds a fault where the settings refuse a step that is too long, or where it would need too many substeps.
 /// The scene has no faults, and the settings no others.
-void check_stability(std::vector<Fault>& faults, const Scene& scene, const Settings& settings);
+void check_stability(std::vector<Fault>& faults, const SceneBounds& bounds, const Settings& settings);
+
+/// Faults of settings and scene together, and the bounds that some of them rest on, which are not found where
+/// there are other faults.
+struct CheckedScene {
+  std::vector<Fault> faults;
+  SceneBounds bounds;
+};
+
+CheckedScene check(const Scene& scene, const Settings& settings);
 
 }  // namespace hooke

@@ -14,11 +14,15 @@ bool is_kick_and_drift(const Method& method) {
 
 }  // namespace
 
-double largest_stable_step(const Scene& scene, const Method& method) {
+double largest_stable_step(const SceneBounds& bounds, const Method& method) {
   if (std::holds_alternative<DormandPrince>(method) || solves_equations(method))
     return std::numeric_limits<double>::infinity();
-  if (is_kick_and_drift(method)) return longest_kick_and_drift(scene);
-  return longest_step(method, highest_frequency(scene), highest_damping_rate(scene));
+  if (is_kick_and_drift(method)) return bounds.kick_and_drift;
+  return longest_step(method, bounds.frequency, bounds.damping_rate);
+}
+
+double largest_stable_step(const Scene& scene, const Method& method) {
+  return largest_stable_step(bounds_of(scene), method);
 }
 
 }  // namespace hooke

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <hooke/effects.h>
+
+#include "model/model.h"
+#include "state.h"
+
+namespace hooke {
+
+/// The negative derivative K of the forces of springs and ground planes by positions, in one state, as
+/// M^-1/2 K M^-1/2: its eigenvalues are the squares of the angular frequencies [1/s^2] of small oscillations
+/// about that state; negative ones are directions in which pressed springs buckle. Computed in double from
+/// the springs themselves, whatever the precision and the accumulation mode of the run.
+///
+/// A vector has x, y, z of each particle, in the engine's order.
+template <class Real>
+class ScaledStiffness {
+ public:
+  /// All must live as long as this does.
+  ScaledStiffness(const Model<Real>& model, std::span<const GroundPlane> grounds, const State<Real>& state,
+                  Executor& executor);
+
+  /// out = M^-1/2 K M^-1/2 in.
+  void multiply(std::span<const double> in, std::span<double> out) const;
+
+  /// Of each entry of a vector 1 / sqrt(mass) [kg^-1/2], 0 where the particle is pinned.
+  std::span<const double> inverse_roots() const { return inverse_roots_; }
+
+ private:
+  void multiply_block(std::size_t block, std::span<const double> in, std::span<double> out) const;
+  Vec3 ground_product(std::size_t particle, const Vec3& moved) const;
+
+  const Model<Real>& model_;
+  std::span<const GroundPlane> grounds_;
+  const State<Real>& state_;
+  Executor& executor_;
+  std::vector<double> inverse_roots_;
+};
+
+}  // namespace hooke

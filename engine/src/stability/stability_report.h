@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include <hooke/simulation.h>
+
+#include "model/model.h"
+#include "stability/scene_bounds.h"
+
+namespace hooke {
+
+/// What a simulation keeps of its scene to say how stable it is.
+struct StabilityParts {
+  SceneBounds bounds;
+  std::vector<GroundPlane> grounds;
+
+  StabilityParts(const Scene& scene, const SceneBounds& bounds);
+};
+
+/// Simulation::stability() in a state.
+template <class Real>
+Stability report_stability(const StabilityParts& parts, const Settings& settings, const Model<Real>& model,
+                           const State<Real>& state, Executor& executor);
+
+}  // namespace hooke
