@@ -62,6 +62,11 @@ void print_limits(const SceneFile& file, std::ostream& out) {
   print_table(rows, 3, out);
 }
 
+void print_recommendation(const SceneFile& file, std::ostream& out) {
+  const Recommendation recommended = recommended_method(file.scene, file.settings.step);
+  out << "recommended: " << to_string(recommended.method) << ", as " << recommended.reason << '\n';
+}
+
 }  // namespace
 
 int check(const Arguments& arguments, std::ostream& out, std::ostream& faults) {
@@ -77,6 +82,7 @@ int check(const Arguments& arguments, std::ostream& out, std::ostream& faults) {
     print_contents(file, out);
     print_limits(file, out);
     out << simulation.stability().text() << '\n';
+    print_recommendation(file, out);
   } catch (const SceneError& error) {
     print_faults(error.faults(), arguments, faults);
     return exit_bad_input;

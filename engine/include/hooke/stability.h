@@ -28,9 +28,21 @@ double highest_damping_rate(const Scene& scene);
 double stability_number(const Scene& scene, double step);
 
 /// The longest step [s] with which the method surely lets no oscillation and no decay of the scene grow, by
-/// the bounds above. Infinite where nothing pulls or brakes, and for a method that chooses its steps. 0 for a
-/// method that lets undamped oscillations grow however short its step, where the scene has springs.
+/// the bounds above. Infinite where nothing pulls or brakes, and for a method that chooses its steps or
+/// solves equations. 0 for a method that lets undamped oscillations grow however short its step, where the
+/// scene has springs.
 double largest_stable_step(const Scene& scene, const Method& method);
+
+/// A method for a scene, and why.
+struct Recommendation {
+  Method method;
+  std::string reason;  ///< a sentence
+};
+
+/// The method to begin with where a scene is to be simulated in steps of `step` [s] and to look right: the
+/// explicit one while its substeps, of one evaluation of forces each, cost less than an implicit step with
+/// its iterations. It rests on the bounds above, not on the state. The scene and the step have no faults.
+Recommendation recommended_method(const Scene& scene, double step);
 
 /// What a method makes of a scene's bounds.
 struct MethodStability {

@@ -13,6 +13,13 @@ std::string to_text(double value) {
   return {buffer.data(), end};
 }
 
+std::string rounded_down(double value) {
+  if (!(value > 0.0)) return "0";
+  if (std::isinf(value)) return "inf";
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 3.0);
+  return to_text(std::floor(value / unit) * unit);
+}
+
 std::string to_text(const Vec3& value) {
   std::string text = "(";
   text.append(to_text(value.x()))

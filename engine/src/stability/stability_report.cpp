@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "scene/number_text.h"
-#include "stability/scaled_stiffness.h"
 #include "stability/lanczos.h"
+#include "stability/scaled_stiffness.h"
 #include "stability/step_division.h"
 
 namespace hooke {

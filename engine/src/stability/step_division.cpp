@@ -22,13 +22,6 @@ double substeps_if_divided(const Settings& settings, double longest) {
   return needed_substeps(settings.step, longest);
 }
 
-/// A length of time in four digits, rounded down, so that it is one that can be taken.
-std::string rounded_down(double seconds) {
-  if (seconds <= 0.0) return "0";
-  const double unit = std::pow(10.0, std::floor(std::log10(seconds)) - 3.0);
-  return to_text(std::floor(seconds / unit) * unit);
-}
-
 }  // namespace
 
 double needed_substeps(double step, double longest) {
