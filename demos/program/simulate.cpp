@@ -41,6 +41,7 @@ bool take_steps(Simulation<Real>& simulation, std::uint64_t count, RunResult& re
   result.rejected_steps += report.rejected_steps;
   add(report.sweeps, result.sweeps);
   result.flags |= report.flags;
+  if (report.flags & (flag_energy_grew | flag_step_halved)) result.message = report.message();
   if (report.ok()) return true;
   result.bad_step = report.step;
   result.first_bad_particle = report.first_bad_particle;
