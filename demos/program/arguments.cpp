@@ -127,6 +127,13 @@ void add_scene_options(CLI::App& command, Arguments& arguments) {
       ->type_name("NAME");
   command
       .add_option_function<std::string>(
+          "--on-trouble", [&](const std::string& name) { arguments.on_trouble = on_trouble_named(name); },
+          "What becomes of a run whose energy grows beyond what was put in: " + listed(on_trouble_names()) +
+              "; the scene's, if not given")
+      ->check(one_of(on_trouble_names()))
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
           "--precision", [&](const std::string& name) { arguments.precision = *precision_named(name); },
           "Type of the numbers that the simulation runs on: " + listed(precision_names()) +
               "; float, if not given")

@@ -23,6 +23,7 @@ struct Arguments {
   std::optional<double> fps;      ///< [1/s]
   std::optional<Method> method;
   std::optional<UnstableStep> unstable_step;
+  std::optional<OnTrouble> on_trouble;
   std::optional<Accumulation> accumulation;
   std::optional<unsigned> threads;
   Precision precision = Precision::single;

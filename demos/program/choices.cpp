@@ -25,6 +25,7 @@ auto find(const Choices& choices, Name name, std::string_view wanted) {
 
 const auto method_name = [](const Method& method) { return to_string(method); };
 const auto unstable_step_name = [](UnstableStep choice) { return to_string(choice); };
+const auto on_trouble_name = [](OnTrouble choice) { return to_string(choice); };
 const auto accumulation_name = [](Accumulation accumulation) { return to_string(accumulation); };
 const auto precision_name = [](Precision precision) { return name_of(precision); };
 
@@ -43,6 +44,9 @@ std::vector<std::string> accumulation_names() {
 std::vector<std::string> unstable_step_names() {
   return names(unstable_steps, unstable_step_name);
 }
+std::vector<std::string> on_trouble_names() {
+  return names(troubles, on_trouble_name);
+}
 std::vector<std::string> precision_names() {
   return names(precisions, precision_name);
 }
@@ -57,6 +61,10 @@ std::optional<Accumulation> accumulation_named(std::string_view name) {
 
 std::optional<UnstableStep> unstable_step_named(std::string_view name) {
   return find(unstable_steps, unstable_step_name, name);
+}
+
+std::optional<OnTrouble> on_trouble_named(std::string_view name) {
+  return find(troubles, on_trouble_name, name);
 }
 
 std::optional<Precision> precision_named(std::string_view name) {

@@ -21,6 +21,10 @@ Json flags(std::uint32_t bits) {
   if (bits & flag_steps_dropped) names.push_back("steps_dropped");
   if (bits & flag_step_too_small) names.push_back("step_too_small");
   if (bits & flag_not_converged) names.push_back("not_converged");
+  if (bits & flag_energy_grew) names.push_back("energy_grew");
+  if (bits & flag_restored) names.push_back("restored");
+  if (bits & flag_step_halved) names.push_back("step_halved");
+  if (bits & flag_oscillations_grow) names.push_back("oscillations_grow");
   return names;
 }
 

@@ -47,7 +47,7 @@ struct RunResult {
   std::uint32_t flags = flag_none;
   Index first_bad_particle = Report::none;
   std::uint64_t bad_step = 0;  ///< number of the step that went bad; 0: none did
-  std::string message;         ///< empty where nothing went wrong
+  std::string message;         ///< what went wrong last, or was put right; empty where nothing did
   int interrupted_by = 0;      ///< number of a signal; 0: none came
 
   std::size_t simulation_bytes = 0;   ///< held by the simulation

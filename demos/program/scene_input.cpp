@@ -10,6 +10,7 @@ SceneFile read_scene(const Arguments& arguments) {
   if (arguments.fps) file.fps = *arguments.fps;
   if (arguments.step) file.settings.step = *arguments.step;
   if (arguments.unstable_step) file.settings.unstable_step = *arguments.unstable_step;
+  if (arguments.on_trouble) file.settings.on_trouble = *arguments.on_trouble;
   if (arguments.method) file.settings.method = *arguments.method;
   if (arguments.accumulation) file.settings.accumulation = *arguments.accumulation;
   if (arguments.threads) file.settings.threads = *arguments.threads;

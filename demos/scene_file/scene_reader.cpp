@@ -20,7 +20,7 @@ void refuse_unknown_keys(JsonReader& reader, const Json& root) {
                                       "method",       "step",
                                       "seconds",      "unstable_step",
                                       "accumulation", "max_steps_per_advance",
-                                      "fps"};
+                                      "on_trouble",   "fps"};
   for_each_alternative<Builder>([&]<class T>(const T&) { known.push_back(T::name); });
   reader.refuse_unknown_keys(root, known);
 }
@@ -111,6 +111,9 @@ void read_settings(JsonReader& reader, const Json& root, SceneFile& file) {
   reader.read_optional(root, "max_steps_per_advance", file.settings.max_steps_per_advance);
   read_method(reader, root, file.settings.method);
   read_choice(reader, root, "unstable_step", unstable_steps, file.settings.unstable_step);
+  if (root.contains("on_trouble")) {
+    read_choice(reader, root, "on_trouble", troubles, file.settings.on_trouble.emplace());
+  }
   read_choice(reader, root, "accumulation", accumulations, file.settings.accumulation);
   read_positive(reader, root, "seconds", 1e9, file.seconds);
   read_positive(reader, root, "fps", 1e6, file.fps);

@@ -108,6 +108,7 @@ std::string write_scene(const SceneFile& file) {
                                                     {"effects", json_of(scene.effects)},
                                                     {"pins", json_of(scene.pins)},
                                                     {"particles", json_of(scene.particles)}};
+  if (settings.on_trouble) entries.emplace_back("on_trouble", to_string(*settings.on_trouble));
   if (scene.springs.size() > 0) entries.emplace_back("springs", json_of(scene.springs));
   if (!scene.triangles.empty()) entries.emplace_back("triangles", json_of(scene.triangles));
   try {

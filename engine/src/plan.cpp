@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "stability/step_division.h"
+
 namespace hooke {
 namespace {
 
@@ -100,7 +102,8 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
   const bool controlled = scheme.controlled() != nullptr;
   const bool uses_before = solved != nullptr && solved->uses_before();
   plan.most_steps_at_once = plan.tiled && !controlled ? most_steps_at_once : 1;
-  plan.states = plan.most_steps_at_once > 1 || controlled || substeps > 1 || uses_before ? 3 : 2;
+  plan.states =
+      plan.most_steps_at_once > 1 || controlled || substeps > 1 || uses_before || may_halve(settings) ? 3 : 2;
   plan.shown.substeps = substeps;
   plan.shown.stages = stages_of(plan.sweeps);
   plan.shown.model_bytes = model.order.bytes();

@@ -4,13 +4,55 @@
 
 namespace hooke {
 
+namespace {
+
+/// Where the trouble was.
+std::string place_of(const Report& report) {
+  std::ostringstream out;
+  out << "particle " << report.first_bad_particle;
+  const auto [first, second] = report.strained_spring;
+  if (first != Report::none)
+    out << " (most strained: the spring between " << first << " and " << second << ")";
+  return out.str();
+}
+
+/// Energy that grew: why, and what was done.
+std::string energy_text(const Report& report) {
+  std::ostringstream out;
+  out << "step " << report.step << ": particles move with " << report.kinetic_energy << " J where "
+      << report.energy_put_in << " J were put in, most of it in " << place_of(report) << "; ";
+  if (report.flags & flag_restored) {
+    out << "the last good state (time " << report.time
+        << " s) is restored; use a smaller step, another method, softer springs or heavier particles, or "
+           "on_trouble \"halve\"";
+  } else if (report.flags & flag_step_halved) {
+    out << "from the last good state on, steps are taken in twice as many parts";
+  } else {
+    out << "the run goes on as it is";
+  }
+  return out.str();
+}
+
+std::string not_finite_text(const Report& report) {
+  std::ostringstream out;
+  out << "step " << report.step << " (time " << report.time << " s): particle " << report.first_bad_particle
+      << " got a position or velocity that is not finite, so the step was not taken and "
+      << (report.flags & flag_restored ? "the last good state is restored;" : "the state before it is kept;")
+      << " use a smaller step, softer springs or heavier particles";
+  return out.str();
+}
+
+}  // namespace
+
 std::string Report::message() const {
   std::ostringstream out;
   if (flags & flag_not_finite) {
-    out << "step " << step << " (time " << time << " s): particle " << first_bad_particle
-        << " got a position or velocity that is not finite, so the step was not taken and the state before "
-           "it is kept;"
-        << " use a smaller step, softer springs or heavier particles";
+    out << not_finite_text(*this);
+  } else if (flags & flag_energy_grew) {
+    out << energy_text(*this);
+  } else if (flags & flag_step_halved) {
+    out << "step " << step << ": a value was not finite in " << place_of(*this)
+        << "; from the last good state on, steps are taken in twice as many parts";
   } else if (flags & flag_step_too_small) {
     out << "step " << step << " (time " << time << " s): the tolerance asks for steps shorter than the "
         << "smallest_step, so the step was not taken and the state before it is kept; use a larger "
@@ -23,6 +65,9 @@ std::string Report::message() const {
   } else if (flags & flag_steps_dropped) {
     out << "the frame asked for more steps than the cap; " << dropped_seconds
         << " s were dropped; raise max_steps_per_advance or use a larger step";
+  } else if (flags & flag_oscillations_grow) {
+    out << "the method lets undamped oscillations grow, however short its step; use symplectic_euler, or "
+           "damping and hooke check";
   }
   return out.str();
 }

@@ -72,6 +72,20 @@ std::string_view to_string(UnstableStep choice) {
   return "";
 }
 
+std::string_view to_string(OnTrouble choice) {
+  switch (choice) {
+    case OnTrouble::stop:
+      return "stop";
+    case OnTrouble::halve:
+      return "halve";
+    case OnTrouble::tell:
+      return "tell";
+    case OnTrouble::ignore:
+      return "ignore";
+  }
+  return "";
+}
+
 template <class Real>
 Simulation<Real>::Simulation(const Scene& scene, Settings settings)
     : parts_(std::make_unique<Parts>(scene, std::move(settings))) {}
@@ -179,7 +193,12 @@ void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
   // A kick that is still pending goes first: its forces may depend on the velocity before the impulse.
   State<Real>& now = p.states.now();
   if (now.pending_kick != 0.0) now = whole;
+  if (p.watch && !p.model.pinned(e)) {
+    const Vec3 mean = 0.5 * (now.velocity(e) + velocity).template cast<double>();
+    p.watch->add_work(impulse.dot(mean));
+  }
   now.set_velocity(e, velocity);
+  p.stopped.reset();
   p.whole.forget();
   // What error control knows of the forces here may depend on the velocity.
   if (p.controlled) p.controlled->restart(p.controlled->next_step(), p.controlled->last_error());
@@ -193,9 +212,7 @@ const Plan& Simulation<Real>::plan() const {
 
 template <class Real>
 Energy Simulation<Real>::energy() const {
-  Parts& p = *parts_;
-  const ParticleSums sums = sum_particles(p.model, p.forces, p.whole_state(), *p.executor);
-  return {sums.kinetic, p.forces.measure_springs(p.states.now(), *p.executor).energy, sums.external};
+  return parts_->energy();
 }
 
 template <class Real>

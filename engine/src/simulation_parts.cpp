@@ -18,7 +18,7 @@ std::shared_ptr<Executor> executor_of(const Settings& settings) {
 /// The bounds of a scene that can be simulated with these settings; throws SceneError with every fault if it
 /// cannot.
 template <class Real>
-SceneBounds validated(const Scene& scene, const Settings& settings) {
+StepBounds validated(const Scene& scene, const Settings& settings) {
   CheckedScene checked = check(scene, settings);
   if (checked.faults.empty()) checked.faults = validate_precision<Real>(scene);
   if (!checked.faults.empty()) throw SceneError(std::move(checked.faults));
@@ -53,9 +53,19 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
     controlled.emplace(*method, scene_size(scene), *scheme.controlled(), model, forces, *executor,
                        states.now());
   }
-  plan.shown.state_bytes = states.bytes() + whole.bytes();
+  if (on_trouble(settings) != OnTrouble::ignore && can_watch(scene, settings)) {
+    watch.emplace(scene, model, *executor, settings.step, states.now());
+    begin_watch();
+  }
+  plan.shown.state_bytes = states.bytes() + whole.bytes() + (watch ? watch->bytes() : 0);
   for (const State<Real>& state : between) plan.shown.state_bytes += state.bytes();
   for (const Sweep<Real>& sweep : plan.sweeps) times.push_back({sweep.name, 0.0});
+}
+
+template <class Real>
+Energy Simulation<Real>::Parts::energy() {
+  const ParticleSums sums = sum_particles(model, forces, whole_state(), *executor);
+  return {sums.kinetic, forces.measure_springs(states.now(), *executor).energy, sums.external};
 }
 
 template <class Real>
@@ -193,9 +203,9 @@ Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
   } else if (solved) {
     take_solved_steps(count, report);
   } else {
-    take_fixed_steps(count, report);
+    take_watched_steps(count, report);
   }
-  report.step = steps + (report.ok() ? 0 : 1);
+  if ((report.flags & flag_restored) == 0) report.step = steps + (report.ok() ? 0 : 1);
   report.time = states.now().time;
   report.sweeps = times;
   return report;

@@ -15,6 +15,7 @@
 #include "parallel/tile_workers.h"
 #include "plan.h"
 #include "solve/solved_steps.h"
+#include "stability/energy_watch.h"
 #include "stability/stability_report.h"
 #include "state_ring.h"
 
@@ -37,15 +38,27 @@ struct Simulation<Real>::Parts {
   std::vector<State<Real>> between;  ///< states between the stages of a step
   WholeState<Real> whole;
   std::optional<ControlledSteps<Real>> controlled;  ///< of a method with error control
+  std::optional<EnergyWatch<Real>> watch;           ///< of a run whose energy is watched
   Clock clock;
   std::uint64_t steps = 0;
   double time_at_step_0 = 0.0;  ///< [s] not zero after a snapshot from steps of another length
   std::vector<SweepTime> times;
+  std::optional<Report>
+      stopped;  ///< of the trouble that stopped the run, until the state is set from outside
 
   Parts(const Scene& scene, Settings given);
 
   /// Takes up to `count` steps; stops before one that goes bad, and reports it.
   Report take_steps(std::uint64_t count);
+
+  /// Energies of the newest state.
+  Energy energy();
+
+  /// The energy of the newest state is as it should be: it was set from outside.
+  void begin_watch();
+
+  /// From now on steps are taken in so many parts.
+  void set_substeps(std::uint64_t count);
 
   double substep_length() const { return settings.step / double(substeps); }  ///< [s]
 
@@ -67,6 +80,16 @@ struct Simulation<Real>::Parts {
   void take_fixed_steps(std::uint64_t count, Report& report);
   void take_controlled_steps(std::uint64_t count, Report& report);
   void take_solved_steps(std::uint64_t count, Report& report);
+
+  /// Takes steps as take_fixed_steps() does, looks after its energy and acts on trouble as the settings say:
+  /// simulation_trouble.cpp.
+  void take_watched_steps(std::uint64_t count, Report& report);
+  void act_on_trouble(const Report& found, std::uint64_t steps_at_start, Report& report);
+  Report find_trouble(Report found);
+  void name_most_energetic(Report& report);
+  double energy_factor() const;
+  bool energy_is_good(Report& report);
+  void go_back();
 
   /// Takes `count` steps, with at most plan.most_steps_at_once substeps in all or only one of them, and
   /// returns Report::none; or returns a particle that went bad and stays in the state before.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "simulation_parts.h"
+#include "stability/step_division.h"
 
 namespace hooke {
 namespace {
@@ -56,6 +57,9 @@ std::uint64_t hash_of_state(const Snapshot<Real>& snapshot) {
   return hash_values<Real>(snapshot.velocities, hash_values<Real>(snapshot.positions, 0));
 }
 
+/// Of the most that steps are ever divided into, halved as often as can be.
+constexpr std::uint64_t most_substeps = 100'000 << 10;
+
 template <class Real>
 void check_memory(const MethodMemory<Real>& memory, std::size_t particles) {
   if (!memory.velocities.empty()) check_values("the method's velocities", memory.velocities, particles);
@@ -65,6 +69,8 @@ void check_memory(const MethodMemory<Real>& memory, std::size_t particles) {
     check_values("the method's positions_before", memory.positions_before, particles);
     check_values("the method's velocities_before", memory.velocities_before, particles);
   }
+  require(memory.substeps <= most_substeps,
+          "the method's substeps are more than " + std::to_string(most_substeps) + "; give fewer");
   const auto usable = [](double value) { return std::isfinite(value) && value >= 0.0; };
   require(std::isfinite(memory.pending_kick), "the method's pending_kick is not finite; give a finite value");
   require(usable(memory.next_step), "the method's next_step is not a time; give a finite value >= 0");
@@ -90,6 +96,7 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
     snapshot.method.velocities = velocities_of(now, p.model.order);
     snapshot.method.pending_kick = now.pending_kick;
   }
+  if (p.substeps != substeps_of(p.stability.bounds, p.settings)) snapshot.method.substeps = p.substeps;
   if (p.controlled) {
     snapshot.method.next_step = p.controlled->next_step();
     snapshot.method.last_error = p.controlled->last_error();
@@ -111,6 +118,8 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   require(std::isfinite(snapshot.time), "time is not finite; give a finite value");
   check_memory(snapshot.method, p.model.particles());
   p.clock.set_remainder(snapshot.remainder);
+  p.set_substeps(substeps_of(p.stability.bounds, p.settings));
+  if (may_halve(p.settings)) p.set_substeps(std::max(p.substeps, snapshot.method.substeps));
   // Velocities without their last kick are of use only to a method that would leave the same kick pending.
   const double last_kick = p.scheme.last_kick() * p.substep_length();
   const MethodMemory<Real> memory =
@@ -132,6 +141,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   }
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
+  p.begin_watch();
 }
 
 template Snapshot<float> Simulation<float>::snapshot() const;

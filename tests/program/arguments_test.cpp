@@ -92,6 +92,8 @@ TEST_CASE("every method of the engine can be asked for by its name") {
                                                    "runge_kutta_4", "verlet", "blanes_moan",
                                                    "dormand_prince"});
   for (const std::string& name : method_names()) CHECK(to_string(*parse({"--method", name}).method) == name);
+  for (const std::string& name : on_trouble_names())
+    CHECK(to_string(*parse({"--on-trouble", name}).on_trouble) == name);
   for (const std::string& name : unstable_step_names())
     CHECK(to_string(*parse({"--unstable-step", name}).unstable_step) == name);
   for (const std::string& name : accumulation_names()) {

@@ -53,6 +53,7 @@ void check_same(const SceneFile& a, const SceneFile& b) {
   CHECK(same_bits(a.settings.step, b.settings.step));
   CHECK(a.settings.method.index() == b.settings.method.index());
   CHECK(a.settings.unstable_step == b.settings.unstable_step);
+  CHECK(a.settings.on_trouble == b.settings.on_trouble);
   CHECK(a.settings.accumulation == b.settings.accumulation);
   CHECK(a.settings.max_steps_per_advance == b.settings.max_steps_per_advance);
   CHECK(same_bits(a.scene.particles.mass, b.scene.particles.mass));
@@ -127,6 +128,7 @@ TEST_CASE("a scene that is written and read again has the same bits") {
   file.settings.step = 1.0 / 3.0;
   file.settings.method = ExplicitEuler{};
   file.settings.unstable_step = UnstableStep::take;
+  file.settings.on_trouble = OnTrouble::halve;
   file.settings.accumulation = Accumulation::atomic;
   file.settings.max_steps_per_advance = std::numeric_limits<std::uint64_t>::max();
   const std::string text = write_scene(file);

@@ -85,6 +85,9 @@ TEST_CASE("the schema and the library name the same builders, effects, methods a
   CHECK(whole["properties"]["unstable_step"]["enum"] == Json{to_string(UnstableStep::divide),
                                                              to_string(UnstableStep::refuse),
                                                              to_string(UnstableStep::take)});
+  Json on_trouble = Json::array();
+  for (const OnTrouble choice : troubles) on_trouble.push_back(to_string(choice));
+  CHECK(whole["properties"]["on_trouble"]["enum"] == on_trouble);
 }
 
 TEST_CASE("the reader knows the keys of the schema at the top, and no others") {

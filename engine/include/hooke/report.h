@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,6 +18,10 @@ enum Flag : std::uint32_t {
   flag_steps_dropped = 2,  ///< a frame asked for more steps than the cap; time was dropped
   flag_step_too_small = 4,  ///< error control needs a shorter step than it may take; the step was not taken
   flag_not_converged = 8,   ///< a step was taken whose equations were not solved to the tolerance
+  flag_energy_grew = 16,    ///< there was more energy than was put in: an explosion
+  flag_restored = 32,       ///< the run was stopped on trouble, and the last good state restored
+  flag_step_halved = 64,    ///< steps are taken in twice as many parts from the last good state on
+  flag_oscillations_grow = 128,  ///< the method lets undamped oscillations grow at any step; not seen to yet
 };
 
 /// Time that a sweep of the plan took, summed over the steps of one call.
@@ -41,11 +46,18 @@ struct Report {
   double time = 0.0;           ///< [s] of the newest good state
   double interpolation = 1.0;  ///< see Tick; 1 after step()
   double dropped_seconds = 0.0;  ///< [s] see Tick
-  Index first_bad_particle =
-      none;  ///< lowest number, in the user's numbering, with a value that is not finite
+  /// Lowest number, in the user's numbering, with a value that is not finite; or, where energy grew, of the
+  /// particle with the most of it.
+  Index first_bad_particle = none;
+  /// On trouble the ends, in the user's numbering, of the spring that held the most energy; none of a scene
+  /// without springs.
+  std::array<Index, 2> strained_spring{none, none};
+  double kinetic_energy = 0.0;        ///< where energy grew, of the state in which that was found [J]
+  double energy_put_in = 0.0;         ///< and what all sources have put in, at most [J]
+  std::uint64_t steps_undone = 0;     ///< steps before this call that were taken back with the good state
   std::span<const SweepTime> sweeps;  ///< time of each sweep; valid until the next call on the simulation
 
-  bool ok() const { return (flags & (flag_not_finite | flag_step_too_small)) == 0; }
+  bool ok() const { return (flags & (flag_not_finite | flag_step_too_small | flag_restored)) == 0; }
 
   /// One sentence that says what happened and what to do; empty when nothing did.
   std::string message() const;

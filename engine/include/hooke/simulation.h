@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -46,11 +48,28 @@ inline constexpr std::array unstable_steps{UnstableStep::divide, UnstableStep::r
 
 std::string_view to_string(UnstableStep choice);
 
+/// What becomes of a run of fixed explicit steps that goes wrong: energy grows beyond what was put in, or a
+/// value is not finite. See docs/stability.md.
+enum class OnTrouble {
+  stop,   ///< the last good state is restored, and the report says why
+  halve,  ///< likewise, and the run goes on with steps in twice as many parts, up to ten times; then it stops
+  tell,   ///< the report says so and the run goes on; a value that is not finite stops it
+  ignore,  ///< energy is not watched: nothing is measured or kept; a value that is not finite stops it
+};
+
+inline constexpr std::array troubles{OnTrouble::stop, OnTrouble::halve, OnTrouble::tell, OnTrouble::ignore};
+
+std::string_view to_string(OnTrouble choice);
+
 /// How a scene is simulated.
 struct Settings {
   Method method = SymplecticEuler{};
   double step = 1.0 / 60.0;  ///< [s], > 0; a method with error control takes shorter ones inside
   UnstableStep unstable_step = UnstableStep::divide;
+  /// None: stop; but who takes unstable steps as they are has nothing watched.
+  std::optional<OnTrouble> on_trouble = {};
+  /// Asked on trouble, where given, with the report of it; its answer takes the place of `on_trouble`.
+  std::function<OnTrouble(const Report&)> decide_on_trouble = {};
   Accumulation accumulation = Accumulation::gather;
   unsigned threads = 0;                     ///< at most this many; 0: as many as the machine has
   std::uint64_t max_steps_per_advance = 8;  ///< cap of one advance(), >= 1
@@ -79,6 +98,7 @@ struct MethodMemory {
   double pending_kick = 0.0;     ///< [s] of acceleration that these velocities lack
   double next_step = 0.0;        ///< [s] that error control will try next; 0: it starts afresh
   double last_error = 1.0;       ///< that it found last
+  std::uint64_t substeps = 0;    ///< that steps were taken in, where they were halved on trouble; else 0
   /// Like a snapshot's, of the state one step before, by a method that reads two; empty: it starts afresh.
   std::vector<Real> positions_before, velocities_before;
 };

@@ -85,7 +85,8 @@ CheckedScene check(const Scene& scene, const Settings& settings) {
   std::visit([&](const auto& method) { check_method(checked.faults, method); }, settings.method);
   check_accumulation(checks, settings);
   if (!checked.faults.empty()) return checked;
-  checked.bounds = bounds_of(scene);
+  checked.bounds.scene = bounds_of(scene);
+  checked.bounds.longest_step = largest_stable_step(checked.bounds.scene, settings.method);
   check_stability(checked.faults, checked.bounds, settings);
   return checked;
 }

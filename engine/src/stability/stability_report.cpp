@@ -8,7 +8,6 @@
 #include "scene/number_text.h"
 #include "stability/lanczos.h"
 #include "stability/scaled_stiffness.h"
-#include "stability/step_division.h"
 
 namespace hooke {
 namespace {
@@ -19,12 +18,12 @@ constexpr double wanted_margin = 0.04;
 template <class Real>
 void find_frequency(const StabilityParts& parts, const Model<Real>& model, const State<Real>& state,
                     Executor& executor, Stability& stability) {
-  if (parts.bounds.frequency == 0.0) return;
+  if (parts.bounds.scene.frequency == 0.0) return;
   const ScaledStiffness<Real> derivative(model, parts.grounds, state, executor);
   const LargestEigenvalue found = largest_eigenvalue([&](auto in, auto out) { derivative.multiply(in, out); },
                                                      derivative.inverse_roots(), wanted_margin, executor);
   // Where all directions buckle nothing swings.
-  const double bound = parts.bounds.frequency;
+  const double bound = parts.bounds.scene.frequency;
   stability.frequency = std::min(std::sqrt(std::max(found.value, 0.0)), bound);
   stability.frequency_at_most = std::min(std::sqrt(std::max(found.value + found.margin, 0.0)), bound);
 }
@@ -48,7 +47,7 @@ std::string substeps_text(const Stability& stability, const MethodStability& met
 
 }  // namespace
 
-StabilityParts::StabilityParts(const Scene& scene, const SceneBounds& of_scene) : bounds(of_scene) {
+StabilityParts::StabilityParts(const Scene& scene, const StepBounds& of_scene) : bounds(of_scene) {
   for (const Effect& effect : scene.effects) {
     if (const auto* ground = std::get_if<GroundPlane>(&effect)) grounds.push_back(*ground);
   }
@@ -58,14 +57,14 @@ template <class Real>
 Stability report_stability(const StabilityParts& parts, const Settings& settings, const Model<Real>& model,
                            const State<Real>& state, Executor& executor) {
   Stability stability;
-  stability.frequency_bound = parts.bounds.frequency;
-  stability.damping_bound = parts.bounds.damping_rate;
-  stability.damping_ratio = parts.bounds.damping_ratio;
-  stability.worst_damper = parts.bounds.worst_damper;
+  stability.frequency_bound = parts.bounds.scene.frequency;
+  stability.damping_bound = parts.bounds.scene.damping_rate;
+  stability.damping_ratio = parts.bounds.scene.damping_ratio;
+  stability.worst_damper = parts.bounds.scene.worst_damper;
   stability.step = settings.step;
   stability.method = to_string(settings.method);
   for (const Method& method : all_methods) {
-    const double longest = largest_stable_step(parts.bounds, method);
+    const double longest = largest_stable_step(parts.bounds.scene, method);
     stability.methods.push_back({to_string(method), longest, needed_substeps(settings.step, longest)});
   }
   find_frequency(parts, model, state, executor, stability);

@@ -5,16 +5,16 @@
 #include <hooke/simulation.h>
 
 #include "model/model.h"
-#include "stability/scene_bounds.h"
+#include "stability/step_division.h"
 
 namespace hooke {
 
 /// What a simulation keeps of its scene to say how stable it is.
 struct StabilityParts {
-  SceneBounds bounds;
+  StepBounds bounds;
   std::vector<GroundPlane> grounds;
 
-  StabilityParts(const Scene& scene, const SceneBounds& bounds);
+  StabilityParts(const Scene& scene, const StepBounds& bounds);
 };
 
 /// Simulation::stability() in a state.

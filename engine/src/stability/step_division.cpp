@@ -32,15 +32,23 @@ bool bears_oscillations(const Method& method) {
   return std::visit([](const auto& one) { return one.oscillation_limit > 0.0; }, method);
 }
 
-std::uint64_t substeps_of(const SceneBounds& bounds, const Settings& settings) {
+std::uint64_t substeps_of(const StepBounds& bounds, const Settings& settings) {
   if (settings.unstable_step != UnstableStep::divide) return 1;
-  const double longest = largest_stable_step(bounds, settings.method);
-  return std::uint64_t(std::min(substeps_if_divided(settings, longest), most_substeps));
+  return std::uint64_t(std::min(substeps_if_divided(settings, bounds.longest_step), most_substeps));
 }
 
-void check_stability(std::vector<Fault>& faults, const SceneBounds& bounds, const Settings& settings) {
+OnTrouble on_trouble(const Settings& settings) {
+  const bool as_it_is = settings.unstable_step == UnstableStep::take;
+  return settings.on_trouble.value_or(as_it_is ? OnTrouble::ignore : OnTrouble::stop);
+}
+
+bool may_halve(const Settings& settings) {
+  return settings.decide_on_trouble || on_trouble(settings) == OnTrouble::halve;
+}
+
+void check_stability(std::vector<Fault>& faults, const StepBounds& bounds, const Settings& settings) {
   if (settings.unstable_step == UnstableStep::take) return;
-  const double longest = largest_stable_step(bounds, settings.method);
+  const double longest = bounds.longest_step;
   const double needed = substeps_if_divided(settings, longest);
   const bool refused = settings.unstable_step == UnstableStep::refuse && settings.step > longest;
   if (!refused && needed <= most_substeps) return;
