@@ -28,7 +28,7 @@ void print_part(const std::vector<Verdict>& verdicts, const std::vector<std::str
     TableRow row{std::to_string(one->number), std::string(one->name)};
     for (std::size_t m = first; m < first + count; ++m) {
       const Verdict* verdict = find_verdict(verdicts, one->number, methods[m]);
-      row.push_back(verdict ? verdict_text(verdict->result) : "-");
+      row.push_back(verdict ? verdict_text(*verdict) : "-");
     }
     rows.push_back(row);
   }
@@ -37,11 +37,12 @@ void print_part(const std::vector<Verdict>& verdicts, const std::vector<std::str
 
 }  // namespace
 
-std::string verdict_text(const hard::Result& result) {
+std::string verdict_text(const Verdict& verdict) {
+  const hard::Result& result = verdict.result;
   std::string text(to_string(result.outcome));
   if (result.outcome == hard::Outcome::fail && !std::isnan(result.figure))
     text += " " + rounded(result.figure);
-  return text;
+  return text + (verdict.recommended ? " *" : "");
 }
 
 std::vector<std::string> methods_of(const std::vector<Verdict>& verdicts) {
@@ -90,6 +91,7 @@ void print_verdicts(const std::vector<Verdict>& verdicts, std::ostream& out) {
     print_part(verdicts, methods, first, std::min(methods_of_a_table, methods.size() - first), out);
     out << '\n';
   }
+  out << "* the library recommends the method for this scene and step\n\n";
   for (const hard::HardCase* one : cases_of(verdicts)) {
     const std::vector<SharedReason> reasons = reasons_of(verdicts, *one);
     if (reasons.empty()) continue;

@@ -19,8 +19,9 @@ struct SharedReason {
   std::string reason;
 };
 
-/// A verdict in a few letters: pass, refused, or fail with the figure that failed.
-std::string verdict_text(const hard::Result& result);
+/// A verdict in a few letters: pass, refused, or fail with the figure that failed; with a * where the library
+/// recommends the method.
+std::string verdict_text(const Verdict& verdict);
 
 /// The methods of the verdicts, in order.
 std::vector<std::string> methods_of(const std::vector<Verdict>& verdicts);
