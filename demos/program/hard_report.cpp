@@ -18,6 +18,13 @@ std::string list(const std::vector<std::string>& words) {
   return text;
 }
 
+/// A reason without the name of the method that it was given to.
+std::string general(std::string reason, std::string_view method) {
+  for (std::size_t at = 0; (at = reason.find(method, at)) != std::string::npos;)
+    reason.replace(at, method.size(), "METHOD");
+  return reason;
+}
+
 /// A table of some of the methods: `count` from `first` on.
 void print_part(const std::vector<Verdict>& verdicts, const std::vector<std::string>& methods,
                 std::size_t first, std::size_t count, std::ostream& out) {
@@ -74,12 +81,12 @@ std::vector<SharedReason> reasons_of(const std::vector<Verdict>& verdicts, const
   std::vector<SharedReason> reasons;
   for (const Verdict& verdict : verdicts) {
     if (verdict.hard_case->number != of.number || verdict.result.reason.empty()) continue;
+    const std::string reason = general(verdict.result.reason, verdict.method);
     const auto same = [&](const SharedReason& one) {
-      return one.outcome == verdict.result.outcome && one.reason == verdict.result.reason;
+      return one.outcome == verdict.result.outcome && one.reason == reason;
     };
     auto found = std::find_if(reasons.begin(), reasons.end(), same);
-    if (found == reasons.end())
-      found = reasons.insert(found, {{}, verdict.result.outcome, verdict.result.reason});
+    if (found == reasons.end()) found = reasons.insert(found, {{}, verdict.result.outcome, reason});
     found->methods.emplace_back(verdict.method);
   }
   return reasons;
@@ -91,7 +98,10 @@ void print_verdicts(const std::vector<Verdict>& verdicts, std::ostream& out) {
     print_part(verdicts, methods, first, std::min(methods_of_a_table, methods.size() - first), out);
     out << '\n';
   }
-  out << "* the library recommends the method for this scene and step\n\n";
+  double seconds = 0.0;
+  for (const Verdict& verdict : verdicts) seconds += verdict.seconds;
+  out << "It took " << rounded(seconds)
+      << " s.\n* the library recommends the method for this scene and step\n\n";
   for (const hard::HardCase* one : cases_of(verdicts)) {
     const std::vector<SharedReason> reasons = reasons_of(verdicts, *one);
     if (reasons.empty()) continue;
