@@ -39,7 +39,8 @@ std::string hard_json(const std::vector<hard::Verdict>& verdicts) {
                     {"figure", number(result.figure)},
                     {"limit", number(result.limit)},
                     {"figure_of", result.figure_of},
-                    {"reason", result.reason}});
+                    {"reason", result.reason},
+                    {"recommended", verdict.recommended}});
   }
   return list.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -54,7 +55,7 @@ std::vector<std::string> lost_passes(const std::filesystem::path& file,
     if (!now || now->result.outcome == hard::Outcome::pass) continue;
     lost.push_back("case " + std::to_string(now->hard_case->number) + " (" +
                    std::string(now->hard_case->name) + ") passed with " + method +
-                   ", and now: " + verdict_text(now->result) + ": " + now->result.reason);
+                   ", and now: " + verdict_text(*now) + ": " + now->result.reason);
   }
   return lost;
 }

@@ -8,8 +8,8 @@
 
 namespace hooke::program {
 
-/// The verdicts as a JSON array of {case, name, method, outcome, figure, figure_of, limit, reason}. What is
-/// not a finite number is null.
+/// The verdicts as a JSON array of {case, name, method, outcome, figure, limit, figure_of, reason,
+/// recommended}. What is not a finite number is null.
 std::string hard_json(const std::vector<hard::Verdict>& verdicts);
 
 /// What passed in a file of such JSON and does not pass in `verdicts`, a sentence for each; what was not run

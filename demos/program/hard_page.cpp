@@ -18,7 +18,7 @@ void write_table(const std::vector<Verdict>& verdicts, std::ostream& out) {
     out << "\n| " << one->number << " | [" << one->name << "](#" << one->number << "-" << one->name << ") |";
     for (const std::string& method : methods) {
       const Verdict* verdict = find_verdict(verdicts, one->number, method);
-      out << ' ' << (verdict ? verdict_text(verdict->result) : "-") << " |";
+      out << ' ' << (verdict ? verdict_text(*verdict) : "-") << " |";
     }
   }
   out << "\n";
@@ -76,7 +76,8 @@ std::string hard_page(const std::vector<Verdict>& verdicts, const std::string& c
          "- **pass**: all criteria were met. Nothing else is marked so.\n"
          "- **fail**: with the first figure that missed its limit; all of them are below.\n"
          "- **refused**: the library says before the first step that it cannot do this, in the words "
-         "below.\n\n"
+         "below.\n"
+         "- **\\***: the method that `recommended_method()` names for this scene and step.\n\n"
          "In every case: "
       << hard::common_criteria() << "\n\n";
   write_table(verdicts, out);

@@ -18,6 +18,13 @@ std::string list(const std::vector<std::string>& words) {
   return text;
 }
 
+/// A reason without the name of the method that it was given to.
+std::string general(std::string reason, std::string_view method) {
+  for (std::size_t at = 0; (at = reason.find(method, at)) != std::string::npos;)
+    reason.replace(at, method.size(), "METHOD");
+  return reason;
+}
+
 /// A table of some of the methods: `count` from `first` on.
 void print_part(const std::vector<Verdict>& verdicts, const std::vector<std::string>& methods,
                 std::size_t first, std::size_t count, std::ostream& out) {
@@ -28,7 +35,7 @@ void print_part(const std::vector<Verdict>& verdicts, const std::vector<std::str
     TableRow row{std::to_string(one->number), std::string(one->name)};
     for (std::size_t m = first; m < first + count; ++m) {
       const Verdict* verdict = find_verdict(verdicts, one->number, methods[m]);
-      row.push_back(verdict ? verdict_text(verdict->result) : "-");
+      row.push_back(verdict ? verdict_text(*verdict) : "-");
     }
     rows.push_back(row);
   }
@@ -37,11 +44,12 @@ void print_part(const std::vector<Verdict>& verdicts, const std::vector<std::str
 
 }  // namespace
 
-std::string verdict_text(const hard::Result& result) {
+std::string verdict_text(const Verdict& verdict) {
+  const hard::Result& result = verdict.result;
   std::string text(to_string(result.outcome));
   if (result.outcome == hard::Outcome::fail && !std::isnan(result.figure))
     text += " " + rounded(result.figure);
-  return text;
+  return text + (verdict.recommended ? " *" : "");
 }
 
 std::vector<std::string> methods_of(const std::vector<Verdict>& verdicts) {
@@ -73,12 +81,12 @@ std::vector<SharedReason> reasons_of(const std::vector<Verdict>& verdicts, const
   std::vector<SharedReason> reasons;
   for (const Verdict& verdict : verdicts) {
     if (verdict.hard_case->number != of.number || verdict.result.reason.empty()) continue;
+    const std::string reason = general(verdict.result.reason, verdict.method);
     const auto same = [&](const SharedReason& one) {
-      return one.outcome == verdict.result.outcome && one.reason == verdict.result.reason;
+      return one.outcome == verdict.result.outcome && one.reason == reason;
     };
     auto found = std::find_if(reasons.begin(), reasons.end(), same);
-    if (found == reasons.end())
-      found = reasons.insert(found, {{}, verdict.result.outcome, verdict.result.reason});
+    if (found == reasons.end()) found = reasons.insert(found, {{}, verdict.result.outcome, reason});
     found->methods.emplace_back(verdict.method);
   }
   return reasons;
@@ -90,6 +98,10 @@ void print_verdicts(const std::vector<Verdict>& verdicts, std::ostream& out) {
     print_part(verdicts, methods, first, std::min(methods_of_a_table, methods.size() - first), out);
     out << '\n';
   }
+  double seconds = 0.0;
+  for (const Verdict& verdict : verdicts) seconds += verdict.seconds;
+  out << "It took " << rounded(seconds)
+      << " s.\n* the library recommends the method for this scene and step\n\n";
   for (const hard::HardCase* one : cases_of(verdicts)) {
     const std::vector<SharedReason> reasons = reasons_of(verdicts, *one);
     if (reasons.empty()) continue;

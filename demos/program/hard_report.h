@@ -19,8 +19,9 @@ struct SharedReason {
   std::string reason;
 };
 
-/// A verdict in a few letters: pass, refused, or fail with the figure that failed.
-std::string verdict_text(const hard::Result& result);
+/// A verdict in a few letters: pass, refused, or fail with the figure that failed; with a * where the library
+/// recommends the method.
+std::string verdict_text(const Verdict& verdict);
 
 /// The methods of the verdicts, in order.
 std::vector<std::string> methods_of(const std::vector<Verdict>& verdicts);
@@ -32,7 +33,7 @@ std::vector<const hard::HardCase*> cases_of(const std::vector<Verdict>& verdicts
 const Verdict* find_verdict(const std::vector<Verdict>& verdicts, int case_number, const std::string& method);
 
 /// Why methods failed a case or were refused, and what must be known of those that passed; methods with the
-/// same reason together.
+/// same reason together, with METHOD where each is told its own name.
 std::vector<SharedReason> reasons_of(const std::vector<Verdict>& verdicts, const hard::HardCase& of);
 
 /// Tables of cases by methods, and the reasons below.

@@ -52,7 +52,7 @@ const HardCase huge_steps{11,
                           "rises in a step by more than 1e-6 "
                           "of what moved.",
                           "",
-                          1000.0,
+                          1.0,
                           make,
                           run};
 

@@ -30,16 +30,20 @@ Scene graph_of_seed(std::uint32_t seed) {
   return scene;
 }
 
-Scene make(Extent) {
-  return graph_of_seed(1);
-}
-
 /// The rule: there is a particle, and no spring joins one to itself.
 bool must_be_accepted(const Scene& scene) {
   for (std::size_t s = 0; s < scene.springs.size(); ++s) {
     if (scene.springs.first[s] == scene.springs.second[s]) return false;
   }
   return scene.particles.size() > 0;
+}
+
+/// The first that is accepted and has springs.
+Scene make(Extent) {
+  for (std::uint32_t seed = 0;; ++seed) {
+    const Scene scene = graph_of_seed(seed);
+    if (must_be_accepted(scene) && scene.springs.size() > 0) return scene;
+  }
 }
 
 /// Momentum of all particles as a share of the sum of its parts' sizes [1].

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <exception>
 
+#include <hooke/stability.h>
+
 namespace hooke::hard {
 namespace {
 
@@ -23,12 +25,14 @@ std::vector<Verdict> run_suite(const std::vector<const HardCase*>& cases, const 
   using Clock = std::chrono::steady_clock;
   std::vector<Verdict> verdicts;
   for (const HardCase* one : cases) {
+    const std::string_view recommended = to_string(recommended_method(one->make(extent), one->step).method);
     for (const Method& method : methods) {
       if (!progress(double(verdicts.size()) / double(cases.size() * methods.size()))) return verdicts;
       const Clock::time_point start = Clock::now();
       Result result = result_of(*one, method, extent);
       const std::chrono::duration<double> taken = Clock::now() - start;
-      verdicts.push_back({one, to_string(method), std::move(result), taken.count()});
+      const std::string_view name = to_string(method);
+      verdicts.push_back({one, name, name == recommended, std::move(result), taken.count()});
     }
   }
   return verdicts;

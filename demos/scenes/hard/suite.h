@@ -13,6 +13,7 @@ namespace hooke::hard {
 struct Verdict {
   const HardCase* hard_case = nullptr;
   std::string_view method;
+  bool recommended = false;  ///< by the library, for the case's scene and step
   Result result;
   double seconds = 0.0;  ///< [s] of wall time
 };
