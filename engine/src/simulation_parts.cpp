@@ -53,7 +53,7 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
     controlled.emplace(*method, scene_size(scene), *scheme.controlled(), model, forces, *executor,
                        states.now());
   }
-  if (on_trouble(settings) != OnTrouble::ignore && can_watch(scene, settings)) {
+  if (is_watched(scene, settings)) {
     watch.emplace(scene, model, *executor, settings.step, states.now());
     begin_watch();
   }

@@ -66,7 +66,8 @@ struct Settings {
   Method method = SymplecticEuler{};
   double step = 1.0 / 60.0;  ///< [s], > 0; a method with error control takes shorter ones inside
   UnstableStep unstable_step = UnstableStep::divide;
-  /// None: stop; but who takes unstable steps as they are has nothing watched.
+  /// None: stop; but who takes unstable steps as they are has nothing watched, nor has a scene of more than
+  /// 500,000 particles, where the memory of one more state counts.
   std::optional<OnTrouble> on_trouble = {};
   /// Asked on trouble, where given, with the report of it; its answer takes the place of `on_trouble`.
   std::function<OnTrouble(const Report&)> decide_on_trouble = {};

@@ -9,12 +9,16 @@
 
 #include "kernels/flush_subnormals.h"
 #include "parallel/sum.h"
+#include "stability/step_division.h"
 
 namespace hooke {
 namespace {
 
 /// Parts of steps between looks.
 constexpr std::uint64_t parts_between_looks = 512;
+
+/// In larger scenes the memory of one more state counts: they are watched where that is asked for.
+constexpr std::size_t most_watched_unasked = 500'000;
 
 /// Springs strained by less than this hold too little energy to speak of.
 constexpr double small_strain = 1e-3;
@@ -180,7 +184,10 @@ double energy_factor(double step, double longest) {
   return share >= 1.0 ? most : std::min(most, 4.0 * (1.0 + share) / (1.0 - share));
 }
 
-bool can_watch(const Scene& scene, const Settings& settings) {
+bool is_watched(const Scene& scene, const Settings& settings) {
+  const bool asked_for = settings.on_trouble || settings.decide_on_trouble;
+  if (!asked_for && scene.particles.size() > most_watched_unasked) return false;
+  if (on_trouble(settings) == OnTrouble::ignore && !settings.decide_on_trouble) return false;
   if (std::holds_alternative<DormandPrince>(settings.method) || solves_equations(settings.method))
     return false;
   return std::none_of(scene.effects.begin(), scene.effects.end(),

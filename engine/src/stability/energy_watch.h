@@ -95,7 +95,7 @@ class EnergyWatch {
 /// 1e8 times. Beyond the longest step, or where there is none, 100 times.
 double energy_factor(double step, double longest);
 
-/// Whether a scene can be watched.
-bool can_watch(const Scene& scene, const Settings& settings);
+/// Whether a run is watched: it can be, and the settings ask for it or do not speak of it.
+bool is_watched(const Scene& scene, const Settings& settings);
 
 }  // namespace hooke
