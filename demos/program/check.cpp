@@ -35,28 +35,27 @@ void print_contents(const SceneFile& file, std::ostream& out) {
       << file.settings.step << " s\n";
 }
 
-/// How many equal parts of a step of `step` [s] a method bears, in words.
-std::string parts_of(double step, double longest) {
-  const double parts = std::max(1.0, std::ceil(step / longest));
+/// In how many equal parts a step is taken, in words.
+std::string parts_text(double parts) {
   return parts == 1.0 ? "taken whole" : "taken in " + rounded(parts) + " parts";
 }
 
 /// How long a step each method bears, and what that means for the file's step.
-void print_limits(const SceneFile& file, std::ostream& out) {
+void print_limits(const SceneFile& file, const Stability& stability, std::ostream& out) {
   out << "longest step that is surely stable, and what becomes of one of " << rounded(file.settings.step)
       << " s:\n";
   std::vector<TableRow> rows;
-  for (const Method& method : all_methods) {
-    const double longest = largest_stable_step(file.scene, method);
-    const std::string name(to_string(method));
-    if (std::holds_alternative<DormandPrince>(method)) {
+  for (const MethodStability& method : stability.methods) {
+    const double longest = method.longest_step;
+    const std::string name(method.method);
+    if (name == DormandPrince::name) {
       rows.push_back({"  " + name, "", "chooses its steps itself"});
     } else if (longest == 0.0) {
       rows.push_back({"  " + name, "none", "undamped oscillations grow"});
     } else if (std::isinf(longest)) {
-      rows.push_back({"  " + name, "any", parts_of(file.settings.step, longest)});
+      rows.push_back({"  " + name, "any", parts_text(method.substeps)});
     } else {
-      rows.push_back({"  " + name, rounded(longest) + " s", parts_of(file.settings.step, longest)});
+      rows.push_back({"  " + name, rounded(longest) + " s", parts_text(method.substeps)});
     }
   }
   print_table(rows, 3, out);
@@ -80,8 +79,9 @@ int check(const Arguments& arguments, std::ostream& out, std::ostream& faults) {
   try {
     const Simulation<double> simulation(file.scene, file.settings);
     print_contents(file, out);
-    print_limits(file, out);
-    out << simulation.stability().text() << '\n';
+    const Stability stability = simulation.stability();
+    print_limits(file, stability, out);
+    out << stability.text() << '\n';
     print_recommendation(file, out);
   } catch (const SceneError& error) {
     print_faults(error.faults(), arguments, faults);

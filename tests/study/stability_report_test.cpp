@@ -168,7 +168,7 @@ TEST_CASE("the report says what a step means for each method, in words too") {
     const double longest = largest_stable_step(scene, all_methods[i]);
     CHECK(found.methods[i].method == to_string(all_methods[i]));
     CHECK(found.methods[i].longest_step == longest);
-    CHECK(found.methods[i].substeps == std::max(1.0, std::ceil(1.0 / 30.0 / longest)));
+    CHECK(found.methods[i].substeps == std::max(1.0, std::ceil(1.0 / 30.0 / (0.9 * longest))));
   }
   REQUIRE(simulation.plan().substeps > 1);
   const std::string expected =

@@ -171,8 +171,8 @@ struct ImplicitMidpoint {
 
 /// Backward differentiation of order 2: x' = 4/3 x - 1/3 x" + 2/3 h v' with x" the state one step before, and
 /// likewise v' (Curtiss and Hirschfelder 1952). Damps what it does not resolve, and slow motions much less
-/// than backward Euler. The first step, and that after a change from outside, is of the implicit midpoint
-/// rule. Solved like BackwardEuler.
+/// than backward Euler. The first step, and that after a change from outside, is backward Euler's. Solved
+/// like BackwardEuler.
 struct Bdf2 {
   double tolerance = 1e-6;  ///< change of positions of the last iteration over the scene's size [1], > 0
   std::uint64_t most_iterations = 50;  ///< of Newton's method in a step, >= 1

@@ -39,7 +39,8 @@ constexpr bool can_accumulate(const Method& method, Accumulation accumulation) {
 
 /// What becomes of a step that is longer than the method surely bears (see largest_stable_step()).
 enum class UnstableStep {
-  divide,  ///< it is taken in as many equal substeps as it needs, where 100,000 suffice: the default
+  divide,  ///< it is taken in equal substeps of at most 0.9 of what the method bears, where 100,000 suffice,
+           ///< as is one above 0.9 of that: the default
   refuse,  ///< it is a fault of the settings
   take,    ///< it is taken as it is: for those who know the scene better than the bound does
 };

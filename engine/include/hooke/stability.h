@@ -12,7 +12,9 @@
 /// and not counted.
 ///
 /// They hold however springs are stretched or pressed: what pressing adds across a spring is a negative
-/// stiffness, which makes it buckle and not swing.
+/// stiffness, which makes it buckle and not swing. Where springs turn fast, as in a crumpled cloth, steps
+/// close to a limit can still heat the motion slowly: steps that are divided (UnstableStep::divide) are at
+/// most 0.9 of the longest.
 
 namespace hooke {
 
@@ -48,8 +50,8 @@ Recommendation recommended_method(const Scene& scene, double step);
 struct MethodStability {
   std::string_view method;    ///< its name
   double longest_step = 0.0;  ///< see largest_stable_step() [s]
-  /// Equal parts in which it surely bears a step of the settings' length [1]; infinite where it bears no step
-  /// at all.
+  /// Equal parts, of at most 0.9 of the longest step, in which it takes one of the settings' length [1];
+  /// infinite where it bears no step at all.
   double substeps = 1.0;
 };
 

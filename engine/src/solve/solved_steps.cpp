@@ -82,9 +82,9 @@ StageResult SolvedSteps<Real>::take(double h, double time, double time_after, St
   const State<Real>& now = states.now();
   State<Real>& next = states.after(1);
   const StageResult result = [&] {
-    if (kind_ == Kind::end) return take_end(h, time_after, now, next);
+    if (kind_ == Kind::middle) return take_middle(h, time, time_after, now, next);
     if (kind_ == Kind::two_steps && knows_before_) return take_two_steps(h, time_after, states, next);
-    return take_middle(h, time, time_after, now, next);
+    return take_end(h, time_after, now, next);
   }();
   next.time = time_after;
   next.pending_kick = 0.0;

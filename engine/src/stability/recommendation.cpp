@@ -23,9 +23,9 @@ bool has_field(const Scene& scene) {
 
 std::string because(double step, double longest, double substeps) {
   const std::string given = "a step of " + rounded_down(step) + " s";
-  if (substeps == 1.0) return "symplectic_euler bears " + given + " whole: one evaluation of forces";
-  const std::string needs = "symplectic_euler bears " + rounded_down(longest) + " s, so " + given +
-                            " needs " + to_text(substeps) + " substeps";
+  if (substeps == 1.0) return "verlet bears " + given + " whole: one evaluation of forces";
+  const std::string needs = "verlet bears " + rounded_down(longest) + " s, so " + given + " needs " +
+                            to_text(substeps) + " substeps";
   if (substeps <= most_explicit_substeps) {
     return needs + ", fewer evaluations of forces than an implicit step takes";
   }
@@ -35,11 +35,11 @@ std::string because(double step, double longest, double substeps) {
 }  // namespace
 
 Recommendation recommended_method(const Scene& scene, double step) {
-  const double longest = largest_stable_step(scene, SymplecticEuler{});
+  const double longest = largest_stable_step(scene, Verlet{});
   const double substeps = needed_substeps(step, longest);
   std::string reason = because(step, longest, substeps);
   if (has_field(scene)) reason += "; the stiffness of its field is not known and not counted";
-  if (substeps <= most_explicit_substeps) return {SymplecticEuler{}, std::move(reason)};
+  if (substeps <= most_explicit_substeps) return {Verlet{}, std::move(reason)};
   return {BackwardEuler{}, std::move(reason)};
 }
 

@@ -25,7 +25,7 @@ double substeps_if_divided(const Settings& settings, double longest) {
 }  // namespace
 
 double needed_substeps(double step, double longest) {
-  return std::max(1.0, std::ceil(step / longest));
+  return std::max(1.0, std::ceil(step / (division_margin * longest)));
 }
 
 bool bears_oscillations(const Method& method) {

@@ -9,8 +9,12 @@
 
 namespace hooke {
 
-/// How many equal substeps a step [s] needs where the longest stable one is `longest` [s]. May be infinite,
-/// and then no step is short enough.
+/// The longest stable step is that of forces whose derivative stays as it is. In a crumpled cloth it turns
+/// with the springs, and steps at the very limit then heat it, slowly: see docs/stability.md.
+inline constexpr double division_margin = 0.9;
+
+/// In how many equal substeps, each at most division_margin of the longest stable one, `longest` [s], a step
+/// [s] is taken. May be infinite, and then no step is short enough.
 double needed_substeps(double step, double longest);
 
 /// Whether the method lets an undamped oscillation stay bounded at any step at all.
