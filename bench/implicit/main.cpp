@@ -94,7 +94,7 @@ class Comparison {
     least_ = potential_(newton.positions);
     const double slope =
         potential_.gradient_length(newton.positions) / potential_.gradient_length(frame_.positions());
-    require(slope < 1e-8, "Newton's method does not come to the minimum");
+    require(slope < 1e-6, "Newton's method does not come to the minimum");
     minimum_ = newton.positions;
     std::cout << "g(x0) = " << first_ << ", g(x*) = " << least_ << " kg m^2; gradient at x* " << slope
               << " of that at x0, after " << newton.report.solver_iterations
