@@ -13,6 +13,9 @@ std::vector<ComparedMethod> compared_methods() {
       {"projective dynamics", many, [](std::uint64_t n) { return ProjectiveDynamics{.iterations = n}; }},
       {"Newton-PCG", few,
        [](std::uint64_t n) { return BackwardEuler{.tolerance = never_met, .most_iterations = n}; }},
+      {"vertex block descent", many, [](std::uint64_t n) { return VertexBlockDescent{.iterations = n}; },
+       false},
+      {"XPBD", many, [](std::uint64_t n) { return Xpbd{.substeps = 1, .iterations = n}; }, false},
   };
 }
 

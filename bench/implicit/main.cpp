@@ -69,11 +69,11 @@ class Comparison {
     }
   }
 
-  /// A method that divides the frame itself.
+  /// A method that divides the frame itself, and comes so near to the exact motion [m].
   template <class Real>
-  void compare_substeps(const std::string& name, const Method& method) {
+  void compare_substeps(const std::string& name, const Method& method, double furthest) {
     const FrameRun run = run_frame<Real>(frame_, method);
-    require(rms_distance(run.positions, motion_) < 1e-3, name + " does not come to where the motion is");
+    require(rms_distance(run.positions, motion_) < furthest, name + " does not come to where the motion is");
     write<Real>(name, run, run.report.force_evaluations, nan);
   }
 
@@ -94,7 +94,7 @@ class Comparison {
     least_ = potential_(newton.positions);
     const double slope =
         potential_.gradient_length(newton.positions) / potential_.gradient_length(frame_.positions());
-    require(slope < 1e-8, "Newton's method does not come to the minimum");
+    require(slope < 1e-6, "Newton's method does not come to the minimum");
     minimum_ = newton.positions;
     std::cout << "g(x0) = " << first_ << ", g(x*) = " << least_ << " kg m^2; gradient at x* " << slope
               << " of that at x0, after " << newton.report.solver_iterations
@@ -156,6 +156,7 @@ Arguments arguments_of(int argc, char** argv) {
 }
 
 void run(const Arguments& arguments) {
+  constexpr double tight = 1e-3, loose = 0.1;  // [m]
   std::ofstream csv(arguments.csv);
   require(csv.good(), arguments.csv + " cannot be written");
   Comparison comparison(arguments.stiffness, csv);
@@ -163,9 +164,12 @@ void run(const Arguments& arguments) {
     comparison.compare<float>(method, arguments.most_iterations);
     comparison.compare<double>(method, arguments.most_iterations);
   }
-  comparison.compare_substeps<float>("symplectic Euler", SymplecticEuler{});
-  comparison.compare_substeps<double>("symplectic Euler", SymplecticEuler{});
-  comparison.compare_substeps<float>("Verlet", Verlet{});
+  for (const std::uint64_t substeps : {20u, 100u, 500u})
+    comparison.compare_substeps<float>("XPBD, " + std::to_string(substeps) + " substeps", Xpbd{substeps, 1},
+                                       loose);
+  comparison.compare_substeps<float>("symplectic Euler", SymplecticEuler{}, tight);
+  comparison.compare_substeps<double>("symplectic Euler", SymplecticEuler{}, tight);
+  comparison.compare_substeps<float>("Verlet", Verlet{}, tight);
 }
 
 }  // namespace

@@ -125,13 +125,14 @@ class Descent final : public StageSolver<Real> {
     for (int i = 0; i < most_tries; ++i) {
       move(stage, length - tried.length, next);
       tried = {length, evaluate(stage, next, result)};
-      if (std::abs(tried.slope) <= flat * slope) return;
+      const bool ends = !rising && tried.slope > 0.0 && length >= limits_.furthest;
+      if (std::abs(tried.slope) <= flat * slope || ends) return;
       if (!std::isfinite(tried.slope)) {
         length = 0.5 * (falling.length + tried.length);
         continue;
       }
       (tried.slope > 0.0 ? falling : rising.emplace()) = tried;
-      length = rising ? length_between(falling, *rising) : stretch * length;
+      length = rising ? length_between(falling, *rising) : std::min(stretch * length, limits_.furthest);
     }
   }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "solve/particle_vectors.h"
 #include "solve/stage_solver.h"
 
@@ -37,6 +39,7 @@ class DirectionSolver {
 struct DescentLimits {
   double tolerance;               ///< change of positions, RMS over the scene's size [1]; 0: there is none
   std::uint64_t most_iterations;  ///< >= 1
+  double furthest = std::numeric_limits<double>::infinity();  ///< along a direction, over its length; >= 1
 };
 
 /// Newton's method and its like: goes along directions as long as the incremental potential

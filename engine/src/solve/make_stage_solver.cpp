@@ -39,7 +39,9 @@ StageSolverPointer<Real> solver_of(const Bdf2& method, const SolverContext<Real>
 
 template <class Real>
 StageSolverPointer<Real> solver_of(const ProjectiveDynamics& method, const SolverContext<Real>& context) {
-  return make_descent<Real>(ProjectiveDynamics::name, {method.tolerance, method.iterations},
+  DescentLimits limits{method.tolerance, method.iterations};
+  if (method.history == 0) limits.furthest = 1.0;  // as it was published
+  return make_descent<Real>(ProjectiveDynamics::name, limits,
                             make_constant_stiffness<Real>(context, method.history), context);
 }
 
