@@ -51,8 +51,11 @@ class Projection {
     const D d;
     const std::int32_t *const first = groups_.first.data() + spring, *const second =
                                                                          groups_.second.data() + spring;
-    Vector4<V> a = load_packed4(d, particles_.now, first), b = load_packed4(d, particles_.now, second);
-    const Vector3<V> apart = a.xyz - b.xyz;
+    const Vector4<V> a = load_packed4(d, particles_.places, first);
+    const Vector4<V> b = load_packed4(d, particles_.places, second);
+    Vector4<V> move_a = load_packed4(d, particles_.moves, first);
+    Vector4<V> move_b = load_packed4(d, particles_.moves, second);
+    const Vector3<V> apart = (a.xyz - b.xyz) - (move_b.xyz - move_a.xyz);
     const V tiny = hn::Set(d, std::numeric_limits<Real>::min());
     const V square =
         hn::MulAdd(apart.x, apart.x, hn::MulAdd(apart.y, apart.y, hn::MulAdd(apart.z, apart.z, tiny)));
@@ -63,10 +66,10 @@ class Projection {
                                         change_of_multiplier(spring, square, inverse, known, a, b, apart));
     if (multipliers != nullptr) hn::Store(hn::Add(known, change), d, multipliers);
     const V push = hn::Mul(change, inverse);
-    a.xyz = moved(a.xyz, hn::Mul(a.w, push), apart);
-    b.xyz = moved(b.xyz, hn::Neg(hn::Mul(b.w, push)), apart);
-    store_packed4(d, a, particles_.now, first);
-    store_packed4(d, b, particles_.now, second);
+    move_a.xyz = moved(move_a.xyz, hn::Mul(a.w, push), apart);
+    move_b.xyz = moved(move_b.xyz, hn::Neg(hn::Mul(b.w, push)), apart);
+    store_packed4(d, move_a, particles_.moves, first);
+    store_packed4(d, move_b, particles_.moves, second);
   }
 
  private:

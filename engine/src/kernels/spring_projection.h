@@ -23,11 +23,13 @@ struct SpringGroups {
   }
 };
 
-/// Where springs put particles right: packed vectors of x, y, z [m] and inverse mass [1/kg].
+/// Packed vectors of each particle. What springs move is kept apart from places, so that it is not rounded
+/// off beside them: velocities come from it.
 template <class Real>
 struct ProjectedParticles {
-  Real* now;
-  const Real* before;  ///< at the start of the step; only read where springs are damped
+  const Real* places;  ///< x, y, z [m] without springs, and the inverse mass [1/kg]
+  Real* moves;         ///< [m] by springs
+  const Real* before;  ///< places at the start of the step; only read where springs are damped
 };
 
 /// Puts springs right one after the other, as Macklin, Mueller and Chentanez 2016, with compliance 1 / k.

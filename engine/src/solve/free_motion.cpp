@@ -68,7 +68,7 @@ void FreeMotion<Real>::add_effects(const Substep& substep, std::size_t begin, st
 }
 
 template <class Real>
-void FreeMotion<Real>::correct(Real h, const Real* positions, std::size_t begin, std::size_t end) {
+void FreeMotion<Real>::correct(Real h, const Real* moves, std::size_t begin, std::size_t end) {
   const FlushSubnormals flush;
   const Real inverse_h = Real(1) / h;
   for (std::size_t block = begin; block < end; ++block) {
@@ -77,12 +77,10 @@ void FreeMotion<Real>::correct(Real h, const Real* positions, std::size_t begin,
     const Arrays<Real> now(now_, first);
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t lane = 0; lane < block_size; ++lane) {
-        const Real x = now.x[c][lane], v = now.v[c][lane];
-        const Real put = positions[(first + lane) * packed_width + c];
-        // A particle that no spring has moved keeps its velocity to the bit.
         const bool free = inverse_mass[lane] > Real(0);
-        now.x[c][lane] = free ? put : x;
-        now.v[c][lane] = free ? v + (put - x) * inverse_h : v;
+        const Real move = free ? moves[(first + lane) * packed_width + c] : Real(0);
+        now.x[c][lane] += move;
+        now.v[c][lane] += move * inverse_h;
       }
     }
   }

@@ -27,9 +27,9 @@ class FreeMotion {
   /// them, with their derivatives there, so that a stiff ground or a strong drag does no harm.
   void predict(const Substep& substep, std::size_t begin, std::size_t end);
 
-  /// For a run of blocks: free particles are at the packed vectors `positions` instead, and have the
-  /// velocities that take them there.
-  void correct(Real h, const Real* positions, std::size_t begin, std::size_t end);
+  /// For a run of blocks: adds the packed vectors `moves` [m] to where free particles are, and what takes
+  /// them there to their velocities.
+  void correct(Real h, const Real* moves, std::size_t begin, std::size_t end);
 
   const State<Real>& start() const { return start_; }  ///< of the substep
   const State<Real>& now() const { return now_; }

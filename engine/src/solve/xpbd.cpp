@@ -1,5 +1,7 @@
 #include "solve/xpbd.h"
 
+#include <algorithm>
+
 #include "solve/coloured_groups.h"
 #include "solve/free_motion.h"
 
@@ -17,11 +19,12 @@ class PositionBasedDynamics final : public StageSolver<Real> {
         executor_(context.executor),
         springs_(context.scene.springs, context.model.order),
         motion_(context.model, context.forces),
-        projected_(packed_width * places(context.model), Real(0)),
-        before_(springs_.damped() ? projected_.size() : 0, Real(0)),
+        places_(packed_width * places(context.model), Real(0)),
+        moves_(places_.size(), Real(0)),
+        before_(springs_.damped() ? places_.size() : 0, Real(0)),
         multipliers_(method.iterations > 1 ? springs_.size() * block_size : 0, Real(0)) {
     for (std::size_t i = 0; i < context.model.particles(); ++i)
-      projected_[packed_width * (i + 1) - 1] = context.model.inverse_mass[i];
+      places_[packed_width * (i + 1) - 1] = context.model.inverse_mass[i];
   }
 
   StageResult solve(const ImplicitStage<Real>& stage, State<Real>& next) override {
@@ -46,7 +49,8 @@ class PositionBasedDynamics final : public StageSolver<Real> {
             {"position", "velocity", "mass", "springs", "effects"},
             {"position", "velocity"},
             springs_.bytes() + motion_.bytes() +
-                (projected_.capacity() + before_.capacity() + multipliers_.capacity()) * sizeof(Real)};
+                (places_.capacity() + moves_.capacity() + before_.capacity() + multipliers_.capacity()) *
+                    sizeof(Real)};
   }
 
  private:
@@ -54,6 +58,9 @@ class PositionBasedDynamics final : public StageSolver<Real> {
   static std::size_t places(const Model<Real>& model) {
     return block_count(model.particles()) * block_size + 1;
   }
+
+  /// Where a block begins in them.
+  static std::ptrdiff_t at(std::size_t block) { return std::ptrdiff_t(block * block_size * packed_width); }
 
   template <class Visit>
   void for_each_run(const Visit& visit) {
@@ -63,16 +70,16 @@ class PositionBasedDynamics final : public StageSolver<Real> {
   void take_substep(const typename FreeMotion<Real>::Substep& substep) {
     for_each_run([&](std::size_t begin, std::size_t end) {
       motion_.predict(substep, begin, end);
-      pack(motion_.now(), begin, end, projected_.data());
+      pack(motion_.now(), begin, end, places_.data());
+      std::fill(moves_.begin() + at(begin), moves_.begin() + at(end), Real(0));
       if (springs_.damped()) pack(motion_.start(), begin, end, before_.data());
     });
     std::fill(multipliers_.begin(), multipliers_.end(), Real(0));
     Real* const multipliers = multipliers_.empty() ? nullptr : multipliers_.data();
     for (std::uint64_t i = 0; i < method_.iterations; ++i)
-      springs_.project(substep.h, {projected_.data(), before_.data()}, multipliers, executor_);
-    for_each_run([&](std::size_t begin, std::size_t end) {
-      motion_.correct(substep.h, projected_.data(), begin, end);
-    });
+      springs_.project(substep.h, {places_.data(), moves_.data(), before_.data()}, multipliers, executor_);
+    for_each_run(
+        [&](std::size_t begin, std::size_t end) { motion_.correct(substep.h, moves_.data(), begin, end); });
   }
 
   /// Positions; what is behind them stays.
@@ -88,8 +95,9 @@ class PositionBasedDynamics final : public StageSolver<Real> {
   Executor& executor_;
   ColouredGroups<Real> springs_;
   FreeMotion<Real> motion_;
-  AlignedVector<Real> projected_;  ///< packed positions and inverse masses
-  AlignedVector<Real> before_;     ///< packed positions at the start of a substep; only for dampers
+  AlignedVector<Real> places_;  ///< packed positions without springs, and inverse masses
+  AlignedVector<Real> moves_;   ///< packed, by springs
+  AlignedVector<Real> before_;  ///< packed positions at the start of a substep; only for dampers
   AlignedVector<Real> multipliers_;
 };
 
