@@ -34,6 +34,7 @@ bool WatchedRun<Real>::skip(std::uint64_t count) {
 
 template <class Real>
 void WatchedRun<Real>::note(const Report& report) {
+  unsolved_ += (report.flags & flag_not_converged) != 0;
   if (report.ok()) {
     look();
   } else {

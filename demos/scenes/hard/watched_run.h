@@ -31,6 +31,9 @@ class WatchedRun {
 
   const std::string& trouble() const { return trouble_; }  ///< why a step went bad; empty: none did
 
+  /// Calls that took steps whose equations were not solved to the method's tolerance.
+  std::uint64_t unsolved() const { return unsolved_; }
+
   /// The most by which energy was ever above that at the start and the work done since, as a share of the
   /// most energy that moved between its kinds so far [1].
   double energy_excess() const { return energy_excess_; }
@@ -43,6 +46,7 @@ class WatchedRun {
 
   Simulation<Real> simulation_;
   std::string trouble_;
+  std::uint64_t unsolved_ = 0;
   double allowed_ = 0.0;  ///< [J] energy at the start, and work since
   double before_ = 0.0;   ///< [J] after the step before
   double most_internal_ = 0.0, least_external_ = 0.0, most_external_ = 0.0;  ///< [J]
