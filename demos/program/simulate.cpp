@@ -44,7 +44,7 @@ bool take_steps(Simulation<Real>& simulation, std::uint64_t count, RunResult& re
   result.residual = std::max(result.residual, report.residual);
   add(report.sweeps, result.sweeps);
   result.flags |= report.flags;
-  if (report.flags & (flag_energy_grew | flag_step_halved | flag_not_converged))
+  if (!report.ok() || (report.flags & (flag_energy_grew | flag_step_halved | flag_not_converged)))
     result.message = report.message();
   if (report.ok()) return true;
   result.bad_step = report.step;

@@ -53,6 +53,31 @@ TEST_CASE_TEMPLATE("an unstable step ends with a report, and the last good state
   }
 }
 
+TEST_CASE("a force that is not a number is reported by every method, and positions stay finite") {
+  for (const Method& method : all_methods) {
+    CAPTURE(to_string(method));
+    Scene scene = hung_cloth(8, 8);
+    const Vec3 place = scene.particles.position[29];
+    scene.effects.push_back(Field{[place](const Vec3& x, double t) {
+      return Vec3(0.0, t > 0.0045 && (x - place).norm() < 0.005 ? NAN : 0.0, 0.0);
+    }});
+    Simulation<double> simulation(scene, {.method = method, .step = 1e-3});
+    const Report report = simulation.step(10);
+    CHECK_FALSE(report.ok());
+    CHECK((report.flags & flag_not_finite) != 0);
+    CHECK(report.steps_taken >= 3);
+    // In a method of several stages, or iterations over neighbours, it has spread before anyone looks.
+    CHECK(report.first_bad_particle < scene.particles.size());
+    const bool sees_it_at_once = std::holds_alternative<SymplecticEuler>(method) ||
+                                 std::holds_alternative<BackwardEuler>(method) ||
+                                 std::holds_alternative<ProjectiveDynamics>(method);
+    if (sees_it_at_once) CHECK(report.first_bad_particle == 29);
+    std::vector<double> positions(3 * scene.particles.size());
+    simulation.copy_positions(positions.data(), 3 * sizeof(double));
+    for (const double x : positions) CHECK(std::isfinite(x));
+  }
+}
+
 TEST_CASE("interpolation stays finite after a bad step") {
   Scene scene = one_particle();
   scene.effects = {Field{[](const Vec3&, double t) { return t > 0.25 ? Vec3(NAN, 0, 0) : Vec3(1, 0, 0); }}};

@@ -89,8 +89,9 @@ TEST_CASE("every option is understood") {
 
 TEST_CASE("every method of the engine can be asked for by its name") {
   CHECK(method_names() == std::vector<std::string>{"symplectic_euler", "explicit_euler", "midpoint", "heun",
-                                                   "runge_kutta_4", "verlet", "blanes_moan",
-                                                   "dormand_prince"});
+                                                   "runge_kutta_4", "verlet", "blanes_moan", "dormand_prince",
+                                                   "backward_euler", "implicit_midpoint", "bdf2",
+                                                   "projective_dynamics", "xpbd", "vertex_block_descent"});
   for (const std::string& name : method_names()) CHECK(to_string(*parse({"--method", name}).method) == name);
   for (const std::string& name : on_trouble_names())
     CHECK(to_string(*parse({"--on-trouble", name}).on_trouble) == name);

@@ -85,7 +85,7 @@ TEST_CASE("check says what a good scene holds, and every fault of a bad one") {
   CHECK(good.out.starts_with("ok: 2 particles, 1 springs"));
   CHECK(contains(good.out, "longest step that is surely stable"));
   CHECK(contains(good.out, "/s in this state"));
-  CHECK(contains(good.out, "recommended: symplectic_euler, as symplectic_euler bears a step of"));
+  CHECK(contains(good.out, "recommended: verlet, as verlet bears a step of"));
 
   const TemporaryFolder folder;
   write_file(

@@ -1,6 +1,7 @@
 #include "solve/cholesky_factor.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hooke {
 
@@ -19,10 +20,26 @@ CholeskyFactor<Real>::CholeskyFactor(const SymmetricMatrix& places)
 
 template <class Real>
 bool CholeskyFactor<Real>::factor(const SymmetricMatrix& matrix) {
-  cholesky_.factorize(matrix);
+  scaled_ = matrix;
+  double scale = 1.0;
+  if (matrix.nonZeros() > 0) {
+    const Eigen::Map<const Eigen::VectorXd> values(matrix.valuePtr(), matrix.nonZeros());
+    if (!values.allFinite()) return false;
+    scale = std::exp2(-std::ilogb(values.cwiseAbs().maxCoeff()));
+    scaled_ *= scale;
+  }
+  scale_ = Real(scale);
+  cholesky_.factorize(scaled_);
   if (cholesky_.info() != Eigen::Success) return false;
   return std::all_of(blocks_.supernodes.nodes.begin(), blocks_.supernodes.nodes.end(),
                      [&](const Supernode& node) { return fill(node); });
+}
+
+template <class Real>
+void CholeskyFactor<Real>::solve(Real* sides) const {
+  solve_triangles(blocks_, sides);
+  if (scale_ == Real(1)) return;
+  for (std::size_t i = 0; i < 4 * size(); ++i) sides[i] *= scale_;
 }
 
 template <class Real>

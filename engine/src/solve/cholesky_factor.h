@@ -23,6 +23,9 @@ class CholeskyFactor {
   explicit CholeskyFactor(const SymmetricMatrix& places);
 
   /// False where the matrix is not positive definite, or not finite, in double; then nothing can be solved.
+  ///
+  /// It is factored times a power of two that brings its values near to 1, so that a matrix in other units,
+  /// scaled by a power of two, gives the same bits, scaled, in spite of square roots.
   bool factor(const SymmetricMatrix& matrix);
 
   /// Unknowns.
@@ -37,7 +40,7 @@ class CholeskyFactor {
   std::size_t values_of_sides() const { return 4 * (size() + BlockFactor<Real>::room); }
 
   /// Puts the solutions in the place of four right-hand sides, in the order of rows.
-  void solve(Real* sides) const { solve_triangles(blocks_, sides); }
+  void solve(Real* sides) const;
 
   const Supernodes& supernodes() const { return blocks_.supernodes; }
 
@@ -49,6 +52,8 @@ class CholeskyFactor {
   /// False where a value is not finite.
   bool fill(const Supernode& node);
 
+  SymmetricMatrix scaled_;
+  Real scale_ = Real(1);
   Eigen::SimplicialLLT<SymmetricMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> cholesky_;
   BlockFactor<Real> blocks_;
   Eigen::MatrixXd block_;                    ///< of one node

@@ -79,7 +79,10 @@ class Descent final : public StageSolver<Real> {
     while (!result.converged && result.iterations < limits_.most_iterations) {
       ++result.iterations;
       const double slope = find_direction(stage, next, result);
-      if (!std::isfinite(slope)) return result;
+      if (!std::isfinite(slope)) {
+        spread_bad_values(stage, next);
+        return result;
+      }
       result.residual = change_ * stage.h / scene_size_;
       result.converged = result.residual <= limits_.tolerance;
       directions_->note_change(result.residual / limits_.tolerance);
@@ -134,6 +137,17 @@ class Descent final : public StageSolver<Real> {
       (tried.slope > 0.0 ? falling : rising.emplace()) = tried;
       length = rising ? length_between(falling, *rising) : std::min(stretch * length, limits_.furthest);
     }
+  }
+
+  /// Leaves values that are not finite where the residual, or if that is finite the direction, has such: so
+  /// who looks at the result finds the particles that they came from.
+  void spread_bad_values(const ImplicitStage<Real>& stage, State<Real>& next) {
+    direction_.set_zero();
+    if (!std::isfinite(residual_.evaluate(stage, next, residual_.values())))
+      direction_ = residual_.values();
+    else
+      directions_->solve(stage, next, residual_.values(), direction_);
+    move(stage, 1.0, next);
   }
 
   void move(const ImplicitStage<Real>& stage, double length, State<Real>& next) {
