@@ -47,6 +47,8 @@ void write_figures(const std::vector<Verdict>& verdicts, const hard::HardCase& o
 void write_case(const std::vector<Verdict>& verdicts, const hard::HardCase& one, std::ostream& out) {
   out << "\n### " << one.number << " " << one.name << "\n"
       << one.scene << "\n\n**Passes** " << one.criterion << "\n";
+  if (one.chaotic)
+    out << "\n**Chaotic:** another instruction set, in other last bits, may lead to other verdicts.\n";
   if (!one.not_asked.empty()) out << "\n**Not asked:** " << one.not_asked << "\n";
   out << "\n";
   write_figures(verdicts, one, out);

@@ -69,9 +69,8 @@ TEST_CASE("what passed before passes now, and every failure says by which figure
       CHECK(!verdict.result.reason.empty());
     }
   }
-  for (const HardCase& one : hard_cases()) {
-    if (!passed.contains(one.name)) MESSAGE("no method passes case " << one.number << ", " << one.name);
-  }
+  // Friction comes with contact.
+  for (const HardCase& one : hard_cases()) CHECK(passed.contains(one.name) == (one.number != 32));
 }
 
 TEST_CASE("a suite that is stopped ends early, and a method that throws has failed") {

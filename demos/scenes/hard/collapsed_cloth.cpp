@@ -41,6 +41,7 @@ const HardCase collapsed_cloth{
     "That it is flat again: without bend springs and contact a fold costs nothing.",
     frame,
     make,
-    run};
+    run,
+    true};
 
 }  // namespace hooke::hard

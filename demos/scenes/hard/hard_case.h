@@ -45,6 +45,8 @@ struct HardCase {
   double step = 0.0;                ///< [s] that methods are asked to take
   Scene (*make)(Extent) = nullptr;  ///< the scene, where there are several the first of them
   Result (*run)(const Method&, Extent) = nullptr;
+  /// The motion is chaotic: a last bit, as another instruction set gives, may lead to another verdict.
+  bool chaotic = false;
 };
 
 /// All, by number.

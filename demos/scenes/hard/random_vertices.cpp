@@ -78,6 +78,7 @@ const HardCase random_vertices{
     "That it ends without tangles: there is no contact between parts of a cloth.",
     frame,
     make,
-    run};
+    run,
+    true};
 
 }  // namespace hooke::hard

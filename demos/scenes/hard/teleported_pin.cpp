@@ -75,6 +75,7 @@ const HardCase teleported_pin{12,
                               "",
                               frame,
                               make,
-                              run};
+                              run,
+                              true};
 
 }  // namespace hooke::hard

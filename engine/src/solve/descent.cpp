@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -70,6 +71,8 @@ class Descent final : public StageSolver<Real> {
   }
 
   StageResult solve(const ImplicitStage<Real>& stage, State<Real>& next) override {
+    // Further iterations would follow errors of rounding, and learn from them.
+    constexpr double rounding = double(std::numeric_limits<Real>::epsilon());
     StageResult result;
     if (mass_in_motion_ == 0.0) return result;
     result.converged = false;
@@ -88,6 +91,7 @@ class Descent final : public StageSolver<Real> {
       directions_->note_change(result.residual / limits_.tolerance);
       if (!(slope > 0.0)) break;
       go_along(stage, next, slope, result);
+      if (result.residual <= rounding) break;
     }
     if (limits_.tolerance == 0.0) result.converged = true;
     return result;
