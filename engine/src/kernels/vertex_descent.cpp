@@ -147,8 +147,9 @@ class VertexSolver {
         now_(now),
         writer_(strip, now) {}
 
-  /// The vector from particle `first` on, `lane` lanes behind its block's first.
-  HWY_INLINE void solve(std::size_t first, std::size_t lane, const SpringSums<V>& springs) {
+  /// The vector from particle `first` on, `lane` lanes behind its block's first. Not inlined: it is long, and
+  /// called from many places.
+  HWY_NOINLINE void solve(std::size_t first, std::size_t lane, const SpringSums<V>& springs) {
     const D d;
     const Real* const masses = equations_.inverse_mass.block((first - lane) / block_size) + lane;
     const V inverse_mass = hn::Load(d, masses), h = hn::Set(d, equations_.h);
