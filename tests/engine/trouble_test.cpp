@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "irregular_mesh.h"
+#include "sanitized.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -140,7 +141,7 @@ TEST_CASE("what becomes of trouble has the same bits on any number of threads") 
   scene.pin(119);
   scene.springs.stiffness[5000] = 1e8;
   std::uint64_t hash = 0;
-  for (unsigned threads : {1u, 2u, 5u}) {
+  for (unsigned threads : sanitized ? std::vector{1u, 3u} : std::vector{1u, 2u, 5u}) {
     Settings settings = watched(OnTrouble::halve);
     settings.threads = threads;
     settings.step = 5e-4;
@@ -238,7 +239,7 @@ TEST_CASE_TEMPLATE("nothing is found in runs that go well, whatever puts energy 
         const double longest = largest_stable_step(scene, method);
         const double step = std::isfinite(longest) ? share * longest : 1e-3;
         Simulation<Real> simulation(scene, {.method = method, .step = step});
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < (sanitized ? 6 : 60); ++i) {
           const Report report = simulation.step(37);
           REQUIRE(report.flags == flag_none);
           simulation.apply_impulse(Index(i % simulation.particle_count()), Vec3(0.02, 0.01 * i, 0));
