@@ -97,6 +97,13 @@ bool JsonReader::expect_three(const Json& value, std::string_view expected) {
   return false;
 }
 
+void JsonReader::read(const Json& value, bool& out) {
+  if (value.is_boolean())
+    out = value.get<bool>();
+  else
+    wrong_type(value, "true or false");
+}
+
 void JsonReader::read(const Json& value, double& out) {
   if (value.is_number())
     out = value.get<double>();

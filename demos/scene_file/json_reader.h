@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,15 @@ concept Described = requires(T& value) {
   { T::name } -> std::convertible_to<std::string_view>;
   T::fields(value, [](std::string_view, auto&) {});
 };
+
+/// Whether a scene file can say it: not what holds a function.
+template <class T>
+inline constexpr bool in_files = true;
+template <class T>
+requires requires {
+  T::in_files;
+}
+inline constexpr bool in_files<T> = T::in_files;
 
 /// Calls `visit(Alternative{})` for each alternative of a variant, in order.
 template <class Variant, class Visit>
@@ -57,6 +67,7 @@ class JsonReader {
   void fault_at(std::string element, std::string problem, std::string remedy);
   std::size_t faults() const { return faults_.size(); }
 
+  void read(const Json& value, bool& out);
   void read(const Json& value, double& out);
   void read(const Json& value, Index& out);
   void read(const Json& value, std::uint64_t& out);
@@ -71,6 +82,10 @@ class JsonReader {
   /// fault.
   template <Described T>
   void read(const Json& value, T& out, std::initializer_list<std::string_view> others = {});
+
+  /// Reads the one alternative that an object names: {"vortex": {...}}.
+  template <class... T>
+  void read(const Json& value, std::variant<T...>& out);
 
   /// Reads `object[key]` where it is given.
   template <class T>
@@ -131,6 +146,28 @@ void JsonReader::read(const Json& value, T& out, std::initializer_list<std::stri
     read_optional(value, key, field);
   });
   refuse_unknown_keys(value, known);
+}
+
+template <class... T>
+void JsonReader::read(const Json& value, std::variant<T...>& out) {
+  if (!expect_object(value)) return;
+  const std::size_t before = faults();
+  std::vector<std::string_view> known;
+  for_each_alternative<std::variant<T...>>([&]<class One>(One one) {
+    if (value.contains(One::name) && !in_files<One>) {
+      const At at(*this, One::name);
+      fault("is a function, which cannot be written in a file", "use the library, or leave it out");
+    } else if (in_files<One>) {
+      known.push_back(One::name);
+      if (!value.contains(One::name)) return;
+      read_optional(value, One::name, one);
+      out = std::move(one);
+    }
+  });
+  if (faults() != before) return;
+  refuse_unknown_keys(value, known);
+  if (value.size() != 1 && faults() == before)
+    fault("names " + std::to_string(value.size()) + " of these", spelling_remedy("", known));
 }
 
 template <class T>

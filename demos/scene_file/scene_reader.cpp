@@ -36,8 +36,8 @@ void read_effects_object(JsonReader& reader, const Json& value, std::vector<Effe
     const auto found = value.find(T::name);
     if (found == value.end()) return;
     const JsonReader::At at(reader, T::name);
-    if constexpr (std::is_same_v<T, Field>) {
-      reader.fault("is a callback, which cannot be written in a file", "use the library, or leave it out");
+    if constexpr (!in_files<T>) {
+      reader.fault("is a function, which cannot be written in a file", "use the library, or leave it out");
     } else {
       reader.for_each_entry(*found, [&](const Json& entry) {
         T& effect = std::get<T>(effects.emplace_back(T{}));
@@ -64,18 +64,7 @@ void read_method(JsonReader& reader, const Json& root, Method& method) {
   const auto found = root.find("method");
   if (found == root.end()) return;
   const JsonReader::At at(reader, "method");
-  if (!reader.expect_object(*found)) return;
-  std::vector<std::string_view> known;
-  for_each_alternative<Method>([&]<class T>(T chosen) {
-    known.push_back(T::name);
-    if (!found->contains(T::name)) return;
-    reader.read_optional(*found, T::name, chosen);
-    method = chosen;
-  });
-  const std::size_t before = reader.faults();
-  reader.refuse_unknown_keys(*found, known);
-  if (found->size() != 1 && reader.faults() == before)
-    reader.fault("names " + std::to_string(found->size()) + " methods", spelling_remedy("", known));
+  reader.read(*found, method);
 }
 
 /// One of `choices`, by its name.

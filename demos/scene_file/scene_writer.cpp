@@ -16,9 +16,22 @@ Json json_of(std::uint64_t value) {
   return value;
 }
 
+Json json_of(bool value) {
+  return value;
+}
+
+Json json_of(Index value) {
+  return value;
+}
+
 Json json_of(const Vec3& value) {
   return {value.x(), value.y(), value.z()};
 }
+
+template <class... T>
+Json json_of(const std::variant<T...>& value);
+template <class T>
+Json json_of(const std::vector<T>& values);
 
 template <Described T>
 Json json_of(const T& value) {
@@ -26,10 +39,6 @@ Json json_of(const T& value) {
   T::fields(value,
             [&](std::string_view key, const auto& field) { object[std::string(key)] = json_of(field); });
   return object;
-}
-
-Json json_of(const Keyframe& frame) {
-  return {{"time", frame.time}, {"displacement", json_of(frame.displacement)}};
 }
 
 /// The alternative that a variant holds, under its name.
@@ -72,12 +81,35 @@ Json json_of(const Springs& springs) {
   return lists;
 }
 
+/// Whether a value, its fields and what it holds can be written in a file.
+template <class T>
+bool can_be_written(const T&) {
+  return in_files<T>;
+}
+
+template <class... T>
+bool can_be_written(const std::variant<T...>& value);
+
+template <Described T>
+bool can_be_written(const T& value) {
+  bool can = in_files<T>;
+  T::fields(value, [&](std::string_view, const auto& field) { can = can && can_be_written(field); });
+  return can;
+}
+
+template <class... T>
+bool can_be_written(const std::variant<T...>& value) {
+  return std::visit([](const auto& held) { return can_be_written(held); }, value);
+}
+
 void refuse_what_no_file_can_say(const SceneFile& file) {
   std::vector<Fault> faults = validate(file.scene, file.settings);
   for (std::size_t i = 0; i < file.scene.effects.size(); ++i) {
-    if (std::holds_alternative<Field>(file.scene.effects[i]))
-      faults.push_back({"effects[" + std::to_string(i) + "] (field)",
-                        "is a callback, which cannot be written in a file", "leave it out"});
+    const Effect& effect = file.scene.effects[i];
+    if (can_be_written(effect)) continue;
+    const auto name = std::visit([](const auto& one) { return std::string(one.name); }, effect);
+    faults.push_back({"effects[" + std::to_string(i) + "] (" + name + ")",
+                      "holds a function, which cannot be written in a file", "leave it out"});
   }
   if (!faults.empty()) throw SceneFileError("scene", std::move(faults));
 }

@@ -11,6 +11,12 @@ struct DerivativeWeights {
   Real stiffness, damping;
 };
 
+/// Which derivative is meant where a force has one that is indefinite.
+enum class Curvature {
+  exact,
+  convex  ///< one without negative eigenvalues, near to it: for who solves equations
+};
+
 /// A symmetric 3x3 matrix for each particle of a strip.
 template <class Real>
 struct StripBlocks {

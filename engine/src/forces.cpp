@@ -25,23 +25,13 @@ Forces<Real>::Forces(const Scene& scene, const Model<Real>& model)
     : springs_(model.springs),
       slots_(slots_of(model)),
       batches_(std::get_if<SpringBatches<Real>>(&model.spring_layout)),
-      sums_(batches_ != nullptr ? model.particles() : 0, batches_ != nullptr && slots_->any_indexed()) {
-  const EffectContext<Real> context{scene, model};
-  for (const Effect& effect : scene.effects) {
-    std::visit([&](const auto& data) { effects_.push_back(compile_effect<Real>(data, context)); }, effect);
-  }
-}
+      sums_(batches_ != nullptr ? model.particles() : 0, batches_ != nullptr && slots_->any_indexed()),
+      effects_(scene, model) {}
 
 template <class Real>
-bool Forces<Real>::calls_user() const {
-  return std::any_of(effects_.begin(), effects_.end(),
-                     [](const auto& effect) { return effect->calls_user(); });
-}
-
-template <class Real>
-bool Forces<Real>::has_effect_derivatives() const {
-  return std::any_of(effects_.begin(), effects_.end(),
-                     [](const auto& effect) { return effect->has_derivative(); });
+void Forces<Real>::prepare(const State<Real>& state, double time, Executor& executor) {
+  if (scatters()) scatter(state, executor);
+  effects_.prepare(state, time, executor);
 }
 
 template <class Real>
@@ -75,13 +65,6 @@ SpringMeasure Forces<Real>::measure_springs(const State<Real>& state, Executor& 
 }
 
 template <class Real>
-double Forces<Real>::effect_energy(const Strip<Real>& strip) const {
-  double sum = 0.0;
-  for (const StripEffectPointer<Real>& effect : effects_) sum += effect->energy(strip);
-  return sum;
-}
-
-template <class Real>
 Stage Forces<Real>::spring_stage() const {
   std::vector<std::string> reads = {"position"};
   if (slots_->damped) reads.push_back("velocity");
@@ -104,13 +87,17 @@ std::string Forces<Real>::spring_layout() const {
 }
 
 template <class Real>
+std::vector<Stage> Forces<Real>::preparation_stages() const {
+  std::vector<Stage> stages = effects_.preparation_stages();
+  if (scatters()) stages.insert(stages.begin(), spring_stage());
+  return stages;
+}
+
+template <class Real>
 std::vector<Stage> Forces<Real>::strip_stages() const {
   std::vector<Stage> stages;
   if (slots_ != nullptr && batches_ == nullptr) stages.push_back(spring_stage());
-  for (const StripEffectPointer<Real>& effect : effects_) {
-    stages.push_back(effect->stage());
-    stages.back().writes = {"force"};
-  }
+  for (Stage& stage : effects_.strip_stages()) stages.push_back(std::move(stage));
   return stages;
 }
 

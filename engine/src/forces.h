@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "effects/strip_effect.h"
+#include "effects/effect_list.h"
 #include "kernels/gather.h"
 #include "kernels/scatter.h"
 #include "model/model.h"
@@ -20,12 +20,15 @@ class Forces {
 
   bool scatters() const { return batches_ != nullptr; }
 
-  /// Whether one of the effects calls a function of the user's, which may expect to be asked for one time
-  /// after the other.
-  bool calls_user() const;
+  const EffectList<Real>& effects() const { return effects_; }
+  EffectList<Real>& effects() { return effects_; }
 
-  /// Adds up the scattered springs' forces; on_strip() then takes them, so it must be called for every block.
-  void scatter(const State<Real>& state, Executor& executor);
+  /// Whether something must be done for the whole state before on_strip(): prepare().
+  bool needs_preparation() const { return scatters() || effects_.prepares(); }
+
+  /// Adds up the scattered springs' forces, which on_strip() then takes, so it must be called for every
+  /// block; and what effects need of the whole state.
+  void prepare(const State<Real>& state, double time, Executor& executor);
 
   /// The whole force [N] on the particles of a strip at `time` [s].
   void on_strip(const Strip<Real>& strip, const State<Real>& state, double time, StripForce<Real>& force) {
@@ -37,20 +40,7 @@ class Forces {
     } else {
       force = StripForce<Real>{};
     }
-    add_effects(strip, time, force);
-  }
-
-  /// Adds the effects' force [N] on the particles of a strip at `time` [s], without the springs'.
-  void add_effects(const Strip<Real>& strip, double time, StripForce<Real>& force) const {
-    for (const StripEffectPointer<Real>& effect : effects_) effect->add_force(strip, time, force);
-  }
-
-  bool has_effect_derivatives() const;
-
-  /// Adds the weighted derivative of the effects' force, as far as they know it (StripEffect).
-  void add_effect_derivatives(const Strip<Real>& strip, const DerivativeWeights<Real>& weights,
-                              StripBlocks<Real>& blocks) const {
-    for (const StripEffectPointer<Real>& effect : effects_) effect->add_derivative(strip, weights, blocks);
+    effects_.add_forces(strip, time, force);
   }
 
   /// Forgets sums that no block took, after a step that was broken off.
@@ -58,11 +48,8 @@ class Forces {
 
   SpringMeasure measure_springs(const State<Real>& state, Executor& executor) const;
 
-  /// Potential energy [J] of the effects on a strip.
-  double effect_energy(const Strip<Real>& strip) const;
-
-  /// The springs, of which there must be some. As of all stages here, the plan says in which sweep.
-  Stage spring_stage() const;
+  /// What prepare() does. As of all stages here, the plan says in which sweep.
+  std::vector<Stage> preparation_stages() const;
 
   /// What on_strip() does: gathered springs, and effects.
   std::vector<Stage> strip_stages() const;
@@ -71,11 +58,14 @@ class Forces {
   std::string spring_layout() const;
 
  private:
+  Stage spring_stage() const;  ///< the springs, of which there must be some
+  void scatter(const State<Real>& state, Executor& executor);
+
   std::size_t springs_ = 0;
   const Slots<Real>* slots_ = nullptr;            ///< of all springs; null where there are none
   const SpringBatches<Real>* batches_ = nullptr;  ///< of the modes that scatter, else null
   ForceSums<Real> sums_;
-  std::vector<StripEffectPointer<Real>> effects_;
+  EffectList<Real> effects_;
 };
 
 }  // namespace hooke

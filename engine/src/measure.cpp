@@ -18,7 +18,7 @@ ParticleSums sum_strip(const Model<Real>& model, const Forces<Real>& forces, con
     sum.kinetic += 0.5 * velocity.squaredNorm() / inverse_mass;
     sum.momentum += velocity / inverse_mass;
   }
-  sum.external = forces.effect_energy(strip);
+  sum.external = forces.effects().energy(strip);
   return sum;
 }
 

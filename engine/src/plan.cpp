@@ -11,12 +11,23 @@ namespace {
 /// one by one to find where, so this bounds what is lost.
 constexpr std::size_t most_steps_at_once = 256;
 
+/// What must be done for the whole state before forces are asked for.
 template <class Real>
-Sweep<Real> spring_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
+Sweep<Real> preparation_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
   const auto run = [&forces, &scheme](const Substep<Real>& substep, Executor& executor) {
-    if (scheme.needs_forces(substep.stage)) forces.scatter(substep.now, executor);
+    if (scheme.needs_forces(substep.stage)) forces.prepare(substep.now, substep.time, executor);
   };
-  return {"springs", {forces.spring_stage()}, run, {}};
+  return {forces.scatters() ? "springs" : "preparation", forces.preparation_stages(), run, {}};
+}
+
+/// What effects do to the result of a step, and what they remember of the step before.
+template <class Real>
+Sweep<Real> correction_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
+  const auto run = [&forces, &scheme](const Substep<Real>& substep, Executor& executor) {
+    substep.next.memory = substep.start.memory;
+    if (substep.stage + 1 == scheme.stages()) forces.effects().correct(result_of(substep), executor);
+  };
+  return {"corrections", forces.effects().correction_stages(), run, {}};
 }
 
 Stage method_stage(const Method& method, std::size_t bytes) {
@@ -40,11 +51,14 @@ Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Force
   std::vector<Stage> stages = forces.strip_stages();
   stages.push_back(method_stage(method, model.inverse_mass.bytes() + scheme.bytes()));
   if (!model.moving_pins.empty()) stages.push_back(pin_stage(model));
-  const auto run = [&model, &forces, &scheme](const Substep<Real>& substep, std::size_t begin,
-                                              std::size_t end) {
+  const bool corrects = forces.effects().corrects_strips();
+  const auto run = [&model, &forces, &scheme, corrects](const Substep<Real>& substep, std::size_t begin,
+                                                        std::size_t end) {
     scheme.run_blocks(substep, model, forces, begin, end);
     const auto pins = pins_between(model.moving_pins, begin * block_size, end * block_size);
     move_pins(pins, substep.time_after, substep.next);
+    if (corrects && substep.stage + 1 == scheme.stages())
+      forces.effects().correct_strips(result_of(substep), begin, end);
   };
   return {"particles", std::move(stages), {}, run};
 }
@@ -52,10 +66,12 @@ Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Force
 template <class Real>
 Sweep<Real> equation_sweep(const Model<Real>& model, const Forces<Real>& forces,
                            const SolvedSteps<Real>& solved) {
-  std::vector<Stage> stages = forces.strip_stages();
+  std::vector<Stage> stages = forces.preparation_stages();
+  for (Stage& stage : forces.strip_stages()) stages.push_back(std::move(stage));
   stages.push_back(solved.stage());
   stages.back().bytes += model.inverse_mass.bytes();
   if (!model.moving_pins.empty()) stages.push_back(pin_stage(model));
+  for (Stage& stage : forces.effects().correction_stages()) stages.push_back(std::move(stage));
   return {"equations", std::move(stages), {}, {}};
 }
 
@@ -94,11 +110,14 @@ template <class Real>
 CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
                              Scheme<Real>& scheme, const SolvedSteps<Real>* solved, std::uint64_t substeps) {
   CompiledPlan<Real> plan;
-  if (forces.scatters()) plan.sweeps.push_back(spring_sweep(forces, scheme));
+  if (solved == nullptr && forces.needs_preparation())
+    plan.sweeps.push_back(preparation_sweep(forces, scheme));
   plan.sweeps.push_back(solved != nullptr ? equation_sweep(model, forces, *solved)
                                           : particle_sweep(settings.method, model, forces, scheme));
+  if (solved == nullptr && forces.effects().corrects())
+    plan.sweeps.push_back(correction_sweep(forces, scheme));
   plan.stages = scheme.stages();
-  plan.tiled = plan.sweeps.size() == 1 && !forces.calls_user() && solved == nullptr;
+  plan.tiled = plan.sweeps.size() == 1 && !forces.effects().calls_user() && solved == nullptr;
   const bool controlled = scheme.controlled() != nullptr;
   const bool uses_before = solved != nullptr && solved->uses_before();
   plan.most_steps_at_once = plan.tiled && !controlled ? most_steps_at_once : 1;
@@ -110,7 +129,8 @@ CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model,
   plan.shown.order = model.order.reason();
   plan.shown.springs = forces.spring_layout();
   plan.tiles =
-      make_tiles(block_count(model.particles()), model.spring_reach, block_bytes(model, forces, scheme));
+      make_tiles(block_count(model.particles()), std::max(model.spring_reach, forces.effects().reach()),
+                 block_bytes(model, forces, scheme));
   plan.shown.tiles = tiles_text(plan);
   return plan;
 }

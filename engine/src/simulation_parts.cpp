@@ -31,6 +31,13 @@ std::optional<SolvedSteps<Real>> solved_steps(const Method& method, const Solver
   return std::optional<SolvedSteps<Real>>(std::in_place, method, context);
 }
 
+template <class Real>
+State<Real> start_of(const Scene& scene, const Model<Real>& model, const Forces<Real>& forces) {
+  State<Real> start = initial_state(scene, model);
+  start.memory = forces.effects().initial_memory();
+  return start;
+}
+
 }  // namespace
 
 template <class Real>
@@ -45,7 +52,7 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
       solved(solved_steps<Real>(settings.method, {scene, model, forces, *executor})),
       plan(make_plan(settings, model, forces, scheme, solved ? &*solved : nullptr, substeps)),
       workers(plan.tiles, executor->threads()),
-      states(initial_state(scene, model), plan.states),
+      states(start_of(scene, model, forces), plan.states),
       between(scheme.states_between(), states.now()),
       whole(states.now(), scheme.last_kick() != 0.0),
       clock(settings.step, settings.max_steps_per_advance) {

@@ -77,6 +77,15 @@ void check_memory(const MethodMemory<Real>& memory, std::size_t particles) {
   require(usable(memory.last_error), "the method's last_error is not an error; give a finite value >= 0");
 }
 
+template <class Real>
+void check_effects(const std::vector<Real>& values, std::size_t expected) {
+  require(values.size() == expected, "effects remember " + std::to_string(values.size()) +
+                                         " values; the simulation needs " + std::to_string(expected));
+  const auto finite = [](Real value) { return std::isfinite(value); };
+  require(std::all_of(values.begin(), values.end(), finite),
+          "effects remember a value that is not finite; give finite values");
+}
+
 }  // namespace
 
 template <class Real>
@@ -92,6 +101,7 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
   snapshot.remainder = p.clock.remainder();
   snapshot.method.state = hash_of_state(snapshot);
   const State<Real>& now = p.states.now();
+  snapshot.effects = now.memory;
   if (now.pending_kick != 0.0) {
     snapshot.method.velocities = velocities_of(now, p.model.order);
     snapshot.method.pending_kick = now.pending_kick;
@@ -117,6 +127,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   check_values("velocities", snapshot.velocities, p.model.particles());
   require(std::isfinite(snapshot.time), "time is not finite; give a finite value");
   check_memory(snapshot.method, p.model.particles());
+  check_effects(snapshot.effects, p.states.now().memory.size());
   p.clock.set_remainder(snapshot.remainder);
   p.set_substeps(substeps_of(p.stability.bounds, p.settings));
   if (may_halve(p.settings)) p.set_substeps(std::max(p.substeps, snapshot.method.substeps));
@@ -127,6 +138,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   const bool pending = !memory.velocities.empty() && memory.pending_kick == last_kick;
   const std::vector<Real>& velocities = pending ? memory.velocities : snapshot.velocities;
   set_state(snapshot.positions, velocities, p.model.order, p.states.now());
+  p.states.now().memory = snapshot.effects;
   p.states.now().time = snapshot.time;
   p.states.now().pending_kick = pending ? last_kick : 0.0;
   p.states.drop();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -84,7 +85,9 @@ class State {
   }
 
   std::size_t bytes() const {
-    return (values_.capacity() + packed_positions_.capacity() + packed_velocities_.capacity()) * sizeof(Real);
+    return (values_.capacity() + packed_positions_.capacity() + packed_velocities_.capacity() +
+            memory.capacity()) *
+           sizeof(Real);
   }
 
   double time = 0.0;
@@ -92,6 +95,9 @@ class State {
   /// The velocities lack this time [s] of the accelerations here: a splitting method does the last kick of a
   /// step together with the first of the next one. 0 where they are whole.
   double pending_kick = 0.0;
+
+  /// What effects remember of the past, such as how far springs have yielded: mostly nothing.
+  std::vector<Real> memory;
 
   /// From one array's base to the next one's. The bases of a state's arrays differ by five cache lines modulo
   /// 4 KiB: with equal low address bits, loads from one array would falsely wait for stores to another.

@@ -19,19 +19,21 @@ struct Strip {
   std::size_t first;  ///< number of its first particle, in the engine's order
   std::size_t lanes;
   std::size_t particles;
+  const State<Real>& state;  ///< that it is a part of
   const Real *x, *y, *z, *vx, *vy, *vz;
 
   /// The blocks [begin, end).
-  Strip(const State<Real>& state, std::size_t begin, std::size_t end)
+  Strip(const State<Real>& whole, std::size_t begin, std::size_t end)
       : first(begin * block_size),
         lanes((end - begin) * block_size),
-        particles(std::min(lanes, state.size() - first)),
-        x(state.x() + first),
-        y(state.y() + first),
-        z(state.z() + first),
-        vx(state.vx() + first),
-        vy(state.vy() + first),
-        vz(state.vz() + first) {}
+        particles(std::min(lanes, whole.size() - first)),
+        state(whole),
+        x(whole.x() + first),
+        y(whole.y() + first),
+        z(whole.z() + first),
+        vx(whole.vx() + first),
+        vy(whole.vy() + first),
+        vz(whole.vz() + first) {}
 };
 
 /// Forces [N] on the particles of one strip.

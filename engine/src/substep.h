@@ -19,4 +19,18 @@ struct Substep {
   std::atomic<Index>& first_bad;  ///< lowest user's number with a next value that is not finite
 };
 
+/// The result of a step, that effects may still change. Its velocities lack State::pending_kick.
+template <class Real>
+struct StepResult {
+  const State<Real>& start;  ///< of the step
+  State<Real>& next;         ///< packed copies included
+  double h;                  ///< [s] of the step
+  double time;               ///< [s] of the result
+};
+
+template <class Real>
+StepResult<Real> result_of(const Substep<Real>& last) {
+  return {last.start, last.next, last.h, last.time_after};
+}
+
 }  // namespace hooke

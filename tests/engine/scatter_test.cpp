@@ -69,7 +69,7 @@ int wrong_particles(const Scene& scene, const Model<Real>& model, Executor& exec
   Forces<Real> forces(scene, model);
   int wrong = 0;
   for (int round = 0; round < rounds; ++round) {
-    forces.scatter(state, executor);
+    forces.prepare(state, state.time, executor);
     for_each_strip(0, block_count(state.size()), [&](std::size_t begin, std::size_t end) {
       const Strip<Real> strip(state, begin, end);
       StripForce<Real> force;
@@ -160,7 +160,7 @@ TEST_CASE("a step that is broken off leaves no sums behind") {
   const auto model = model_in_batches<float>(scene, Order(70, ""), Accumulation::coloured, 1, *executor);
   const State<float> state = initial_state(scene, model);
   Forces<float> forces(scene, model);
-  forces.scatter(state, *executor);
+  forces.prepare(state, state.time, *executor);
   forces.clear();
   StripForce<float> force;
   forces.on_strip(Strip<float>(state, 0, block_count(70)), state, 0.0, force);

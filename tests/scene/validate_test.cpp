@@ -149,8 +149,8 @@ TEST_CASE("each fault of an effect is named") {
        "effects[0] (gravity): acceleration is (0, nan, 0) m/s^2; give finite values"},
       {[](Scene& s) { s.effects[1] = Drag{-1}; },
        "effects[1] (drag): coefficient is -1 N s/m; give a finite value >= 0"},
-      {[](Scene& s) { s.effects[2] = Field{}; },
-       "effects[2] (field): force is not set; give a function of position and time"},
+      {[](Scene& s) { s.effects[2] = Field{CallbackField{}}; },
+       "effects[2] (field): shape.callback is not set; give a function of position and time"},
       {[](Scene& s) {
          s.effects[3] = GroundPlane{.normal = {0, 0, 0}};
        },

@@ -38,7 +38,7 @@ def main():
         "negative stiffness": lambda s: s["cloth_grid"].update(stretch=-1),
         "text for a number": lambda s: s.update(step="short"),
         "pin without a place": lambda s: s["pins"].append({"cloth_grid": 0}),
-        "force field": lambda s: s["effects"].update(field={}),
+        "a function": lambda s: s["effects"].update(field={"shape": {"callback": {}}}),
     }
     faults += [f"not refused: {what}" for what, change in must_refuse.items() if not refused(validator, curtain, change)]
 

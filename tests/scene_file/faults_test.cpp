@@ -109,15 +109,16 @@ TEST_CASE("a scene of nothing is refused") {
   CHECK(contains(fault_of("{\"step\": 1}"), "has no particles"));
 }
 
-TEST_CASE("a force field cannot be in a file") {
-  CHECK(contains(fault_of(with("\"effects\": {\"field\": {}}")),
-                 "effects.field: is a callback, which cannot be written in a file; use the library"));
+TEST_CASE("a function cannot be in a file") {
+  CHECK(contains(
+      fault_of(with("\"effects\": {\"field\": {\"shape\": {\"callback\": {}}}}")),
+      "effects.field.shape.callback: is a function, which cannot be written in a file; use the library"));
 }
 
 TEST_CASE("a file has exactly one method") {
-  CHECK(contains(fault_of(with("\"method\": {}")), "method: names 0 methods"));
+  CHECK(contains(fault_of(with("\"method\": {}")), "method: names 0 of these"));
   CHECK(contains(fault_of(with("\"method\": {\"explicit_euler\": {}, \"symplectic_euler\": {}}")),
-                 "names 2 methods"));
+                 "names 2 of these"));
 }
 
 TEST_CASE("lists of one particle or spring each must have one length") {

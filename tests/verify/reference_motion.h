@@ -69,7 +69,8 @@ class ReferenceMotion {
         force += Real(scene_.particles.mass[std::size_t(i)]) * gravity->acceleration.cast<Real>();
       if (const auto* drag = std::get_if<Drag>(&effect)) force -= Real(drag->coefficient) * state.v.col(i);
       if (const auto* field = std::get_if<Field>(&effect))
-        force += field->force(state.x.col(i).cast<double>(), double(time)).cast<Real>();
+        force += value_at(field->shape, field->envelope, state.x.col(i).cast<double>(), double(time))
+                     .template cast<Real>();
     }
     return force;
   }

@@ -1,9 +1,17 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
+#include <hooke/fields.h>
+#include <hooke/index.h>
+#include <hooke/keyframe.h>
 #include <hooke/vec3.h>
 
 /// The effects that a scene can name, one struct of plain data each. An effect that a scene does not name is
@@ -36,16 +44,70 @@ struct Drag {
   }
 };
 
-/// A force that depends on place and time: F = force(x, t) on every particle.
-/// The callback gets a position [m] and a time [s] and returns a force [N]. It is called from several threads
-/// at once, so it must not change shared data; the same arguments must give the same force if runs are to be
-/// reproducible. A callback cannot be written in a scene file.
+/// A force that depends on place and time on every particle: F = f(x, t), or m f(x, t) where `per_mass`.
 struct Field {
-  std::function<Vec3(const Vec3& position, double time)> force = nullptr;
+  FieldShape shape = UniformField{};  ///< [N], or [m/s^2] where `per_mass`
+  Envelope envelope = SteadyEnvelope{};
+  bool per_mass = false;
 
   static constexpr std::string_view name = "field";
   template <class Self, class Visit>
-  static void fields(Self&, Visit&&) {}
+  static void fields(Self& self, Visit&& visit) {
+    visit("shape", self.shape);
+    visit("envelope", self.envelope);
+    visit("per_mass", self.per_mass);
+  }
+};
+
+/// The simplest wind: every particle is dragged along by the air, F = c (u(x, t) - v).
+struct ParticleWind {
+  double coefficient = 0.0;              ///< c [N s/m], >= 0
+  FieldShape velocity = UniformField{};  ///< u of the air [m/s]
+  Envelope envelope = SteadyEnvelope{};  ///< of it
+
+  static constexpr std::string_view name = "particle_wind";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("coefficient", self.coefficient);
+    visit("velocity", self.velocity);
+    visit("envelope", self.envelope);
+  }
+};
+
+/// Wind on the scene's triangles. With w the velocity of the air against a triangle of area A, and n its unit
+/// normal on the side with n.w >= 0,
+///   F = 1/2 rho A (n.w) (drag w + lift (|w| n - (n.w) w / |w|)),
+/// a third of it on each corner. It depends on velocities alone, and so not on the step.
+struct Wind {
+  FieldShape velocity = UniformField{};  ///< of the air [m/s]
+  Envelope envelope = SteadyEnvelope{};  ///< of it
+  double air_density = 1.2;              ///< rho [kg/m^3], >= 0
+  double drag = 1.0;                     ///< coefficient [1], >= 0
+  double lift = 0.2;                     ///< coefficient [1], >= 0
+
+  static constexpr std::string_view name = "wind";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("velocity", self.velocity);
+    visit("envelope", self.envelope);
+    visit("air_density", self.air_density);
+    visit("drag", self.drag);
+    visit("lift", self.lift);
+  }
+};
+
+/// The same force, that follows straight lines between keyframes, on each of some particles; none before the
+/// first keyframe and after the last. Times must increase.
+struct ForceScript {
+  std::vector<Index> particles = {};
+  std::vector<ForceKeyframe> keyframes = {};
+
+  static constexpr std::string_view name = "force_script";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("particles", self.particles);
+    visit("keyframes", self.keyframes);
+  }
 };
 
 /// A plane that pushes back on what sinks below it, as a one-sided spring and damper (penalty):
@@ -66,6 +128,209 @@ struct GroundPlane {
   }
 };
 
-using Effect = std::variant<Gravity, Drag, Field, GroundPlane>;
+/// Bending at the edges that two of the scene's triangles share, for sheets of any mesh (Bridson, Marino,
+/// Fedkiw 2003; Grinspun, Hirani, Desbrun, Schroeder 2003):
+///   E = sum over edges of D/2 |e|^2 / (A1 + A2) (theta - theta0)^2
+/// with theta the angle between the normals; |e| and the areas are those of the start. Converges to a sheet
+/// of bending stiffness D under refinement where the triangles are nearly equilateral.
+struct HingeBending {
+  double stiffness = 0.0;    ///< D [N m], >= 0
+  double damping = 0.0;      ///< of the rate of theta, over the stiffness [s], >= 0
+  bool flat_at_rest = true;  ///< theta0 = 0; else it is that of the start
+
+  static constexpr std::string_view name = "hinge_bending";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("stiffness", self.stiffness);
+    visit("damping", self.damping);
+    visit("flat_at_rest", self.flat_at_rest);
+  }
+};
+
+/// Bending along lines of evenly spaced particles, in grids and ropes: for three behind one another
+///   E = k/2 |x_first - 2 x_middle + x_last|^2.
+/// k = D b / a^3 for a sheet of bending stiffness D [N m] whose lines are b apart and whose particles a; EI /
+/// a^3 for a rope. See bending_of().
+struct LaplacianBending {
+  std::vector<Index> first = {}, middle = {}, last = {};
+  std::vector<double> stiffness = {};  ///< k [N/m], >= 0
+
+  static constexpr std::string_view name = "laplacian_bending";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("first", self.first);
+    visit("middle", self.middle);
+    visit("last", self.last);
+    visit("stiffness", self.stiffness);
+  }
+};
+
+/// An elastic sheet of the scene's triangles whatever their shape: tensile biquadratic springs along the
+/// edges and their couplings (Delingette 2008), which are the finite elements of St. Venant and Kirchhoff.
+/// Triangles are at rest as they lie at the start.
+struct TensileTriangles {
+  double modulus = 0.0;        ///< E of the sheet [N/m], >= 0
+  double poisson_ratio = 0.3;  ///< [1], > -1 and < 1
+  double damping = 0.0;        ///< of the rate of strain, over the stiffness [s], >= 0
+
+  static constexpr std::string_view name = "tensile_triangles";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("modulus", self.modulus);
+    visit("poisson_ratio", self.poisson_ratio);
+    visit("damping", self.damping);
+  }
+};
+
+/// Springs that pull and never push. They are springs of the scene; while they are named here, the scene's
+/// law for them holds only where they are longer than at rest. Their dampers too brake only there.
+struct Cables {
+  std::vector<Index> springs = {};
+
+  static constexpr std::string_view name = "cables";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("springs", self.springs);
+  }
+};
+
+/// Springs that stiffen: to the scene's force k l0 s of a spring, s = (l - l0) / l0, is added
+///   k l0 (quadratic |s| s + cubic s^3).
+struct StiffeningSprings {
+  double quadratic = 0.0;           ///< [1], >= 0
+  double cubic = 0.0;               ///< [1], >= 0
+  std::vector<Index> springs = {};  ///< of the scene, with rest lengths > 0; none: all of these
+
+  static constexpr std::string_view name = "stiffening_springs";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("quadratic", self.quadratic);
+    visit("cubic", self.cubic);
+    visit("springs", self.springs);
+  }
+};
+
+/// Springs whose rest length creeps where they are strained beyond a yield strain (Bingham):
+/// d(l0)/dt = rate (|e| - yield) sign(e) l0, with e the elastic strain (l - l0(t)) / l0(0), up to a largest
+/// change.
+struct Plasticity {
+  double yield = 0.1;               ///< strain [1], >= 0
+  double rate = 0.0;                ///< [1/s], >= 0
+  double largest = 1.0;             ///< of |l0(t) - l0(0)| / l0(0) [1], >= 0 and < 1 for what is pressed
+  std::vector<Index> springs = {};  ///< of the scene, with rest lengths > 0; none: all of these
+
+  static constexpr std::string_view name = "plasticity";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("yield", self.yield);
+    visit("rate", self.rate);
+    visit("largest", self.largest);
+    visit("springs", self.springs);
+  }
+};
+
+/// A limit on the strain of springs, kept after each step by moving the ends of those that exceed it back
+/// along the spring, the lighter end more (Provot 1995), sweep after sweep until all keep it. Velocities get
+/// what moved the positions over the step, so momentum is kept.
+struct StrainLimit {
+  double limit = 0.1;               ///< of (l - l0) / l0 [1], >= 0
+  std::uint64_t sweeps = 1000;      ///< at most, >= 1; a report tells where these did not suffice
+  std::vector<Index> springs = {};  ///< of the scene, with rest lengths > 0; none: all of these
+
+  static constexpr std::string_view name = "strain_limit";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("limit", self.limit);
+    visit("sweeps", self.sweeps);
+    visit("springs", self.springs);
+  }
+};
+
+/// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle gets further from the pin that is
+/// nearest to it along the scene's springs than the way there, times 1 + slack. Kept after each step; what
+/// moves outwards there loses that velocity.
+struct Tethers {
+  double slack = 0.0;                 ///< [1], >= 0
+  std::vector<Index> particles = {};  ///< that are held; none: all that springs join to a pin
+
+  static constexpr std::string_view name = "tethers";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("slack", self.slack);
+    visit("particles", self.particles);
+  }
+};
+
+/// Moves particles along a path while the path lasts, from its first keyframe to its last, and lets go of
+/// them then. A particle that is to be held all the time is better pinned, with or without a path.
+struct MotionScript {
+  std::vector<Index> particles = {};
+  std::vector<Keyframe> path = {};  ///< displacements from where a particle is at the first keyframe's time
+
+  static constexpr std::string_view name = "motion_script";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("particles", self.particles);
+    visit("path", self.path);
+  }
+};
+
+/// Gas inside the scene's triangles, which must close: its pressure over that outside is
+///   p = (ambient + overpressure) (V0 / V)^exponent - ambient
+/// with V the volume, V0 that of the start.
+struct Pressure {
+  double overpressure = 0.0;  ///< at the start [Pa]
+  double ambient = 101325.0;  ///< [Pa], >= 0
+  double exponent = 1.0;      ///< [1], >= 0: 1 at one temperature, 1.4 for air without exchange of heat
+
+  static constexpr std::string_view name = "pressure";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("overpressure", self.overpressure);
+    visit("ambient", self.ambient);
+    visit("exponent", self.exponent);
+  }
+};
+
+/// A body that resists changes of the volume inside the scene's triangles, which must close:
+/// E = bulk_modulus / 2 (V - V0)^2 / V0.
+struct Volume {
+  double bulk_modulus = 0.0;  ///< [Pa], >= 0
+  double ratio = 1.0;         ///< V0 over the volume of the start [1], > 0
+
+  static constexpr std::string_view name = "volume";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("bulk_modulus", self.bulk_modulus);
+    visit("ratio", self.ratio);
+  }
+};
+
+/// What a user's own effect sees: some particles, all spans of one length. Forces are to be added to.
+struct ParticleBatch {
+  double time;                                  ///< [s]
+  std::span<const Index> particle;              ///< the user's numbers
+  std::span<const double> x, y, z, vx, vy, vz;  ///< [m], [m/s]
+  std::span<const double> mass;                 ///< [kg]; infinite where pinned
+  std::span<double> fx, fy, fz;                 ///< [N]
+};
+
+/// An effect of the user's own: forces on particles from their positions and velocities. It cannot be written
+/// in a scene file.
+struct CustomEffect {
+  std::string title = "custom";  ///< as the plan shows it
+  /// Parallel: gets batches of at most 128 particles, in any order, on several threads at once, so it must
+  /// not change shared data. Else it is called once for each evaluation of forces, with all particles in the
+  /// user's order.
+  std::function<void(const ParticleBatch&)> add_forces = nullptr;
+  bool parallel = true;
+
+  static constexpr std::string_view name = "custom";
+  static constexpr bool in_files = false;
+  template <class Self, class Visit>
+  static void fields(Self&, Visit&&) {}
+};
+
+using Effect = std::variant<Gravity, Drag, Field, GroundPlane, LaplacianBending>;
 
 }  // namespace hooke

@@ -9,15 +9,14 @@
 #include <vector>
 
 #include <hooke/effects.h>
+#include <hooke/index.h>
+#include <hooke/keyframe.h>
 #include <hooke/vec3.h>
 
 /// What a user says: particles, springs, pins, triangles and effects, in the user's own numbering. Plain
 /// data: fill the arrays directly or through the small functions that keep them of one length.
 
 namespace hooke {
-
-/// The number of a particle, a spring or a triangle.
-using Index = std::uint32_t;
 
 /// Particles as a structure of arrays. All arrays have the same length, but `velocity` may be empty: all at
 /// rest.
@@ -44,12 +43,6 @@ struct Springs {
 
   std::size_t size() const { return first.size(); }
   double damping_of(std::size_t spring) const { return damping.empty() ? 0.0 : damping[spring]; }
-};
-
-/// A point of a pin's path: from its starting position the particle is displaced by this at this time.
-struct Keyframe {
-  double time = 0.0;                 ///< [s]
-  Vec3 displacement = Vec3::Zero();  ///< [m]
 };
 
 /// A particle that forces do not move. With an empty path it stays where it starts, at rest; otherwise it

@@ -115,6 +115,7 @@ struct Snapshot {
   std::uint64_t step = 0;
   double remainder = 0.0;  ///< [s] of the clock
   MethodMemory<Real> method;
+  std::vector<Real> effects;  ///< what effects remember, such as how far springs have yielded; mostly nothing
 };
 
 /// A scene, compiled and running. Real is float or double.

@@ -1,4 +1,4 @@
-#include "effects/strip_effect.h"
+#include "effects/effect_functions.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "effects/drag.cpp"
@@ -52,7 +52,7 @@ void add_drag(const Strip<double>& strip, double coefficient, StripForce<double>
 }
 
 template <class Real>
-class DragForce final : public StripEffect<Real> {
+class DragForce final : public CompiledEffect<Real> {
  public:
   explicit DragForce(const Drag& drag) : c_(Real(drag.coefficient)) {}
 
@@ -60,16 +60,16 @@ class DragForce final : public StripEffect<Real> {
     add_drag(strip, c_, force);
   }
 
-  void add_derivative(const Strip<Real>& strip, const DerivativeWeights<Real>& weights,
+  void add_derivative(const Strip<Real>& strip, double, const DerivativeWeights<Real>& weights,
                       StripBlocks<Real>& blocks) const override {
     for (Real* const diagonal : {blocks.xx, blocks.yy, blocks.zz}) {
       for (std::size_t lane = 0; lane < strip.lanes; ++lane) diagonal[lane] += weights.damping * c_;
     }
   }
 
-  bool has_derivative() const override { return true; }
+  unsigned parts() const override { return has_force | has_own_derivative; }
 
-  Stage stage() const override { return {std::string(Drag::name), {}, {"velocity"}, {}, 0}; }
+  Stage stage() const override { return {std::string(Drag::name), {}, {"velocity"}, {"force"}, 0}; }
 
  private:
   Real c_;  ///< [N s/m]
@@ -78,12 +78,20 @@ class DragForce final : public StripEffect<Real> {
 }  // namespace
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Drag& drag, const EffectContext<Real>&) {
+EffectPointer<Real> compile_effect(const Drag& drag, const EffectContext<Real>&) {
   return std::make_unique<DragForce<Real>>(drag);
 }
 
-template StripEffectPointer<float> compile_effect(const Drag&, const EffectContext<float>&);
-template StripEffectPointer<double> compile_effect(const Drag&, const EffectContext<double>&);
+template EffectPointer<float> compile_effect(const Drag&, const EffectContext<float>&);
+template EffectPointer<double> compile_effect(const Drag&, const EffectContext<double>&);
+
+void check_effect(const Drag& drag, const Scene&, const ElementChecks& checks) {
+  checks.not_negative("coefficient", drag.coefficient, "N s/m");
+}
+
+void add_bounds(const Drag& drag, const Scene&, HeldParticles& held) {
+  held.add_to_each(0.0, drag.coefficient);
+}
 
 }  // namespace hooke
 #endif

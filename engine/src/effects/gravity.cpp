@@ -1,4 +1,4 @@
-#include "effects/strip_effect.h"
+#include "effects/effect_functions.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "effects/gravity.cpp"
@@ -57,7 +57,7 @@ void add_weight(const Strip<double>& strip, const BlockRows<double>& mass, const
 }
 
 template <class Real>
-class GravityForce final : public StripEffect<Real> {
+class GravityForce final : public CompiledEffect<Real> {
  public:
   GravityForce(const Gravity& gravity, const EffectContext<Real>& context)
       : g_(gravity.acceleration.cast<Real>()), mass_(masses_to_pull(context)) {}
@@ -75,7 +75,9 @@ class GravityForce final : public StripEffect<Real> {
     return sum;
   }
 
-  Stage stage() const override { return {std::string(Gravity::name), {}, {"mass"}, {}, mass_.bytes()}; }
+  Stage stage() const override {
+    return {std::string(Gravity::name), {}, {"mass"}, {"force"}, mass_.bytes()};
+  }
 
  private:
   /// A pinned particle does not fall, and has no energy to give: without mass here it is left alone.
@@ -93,12 +95,18 @@ class GravityForce final : public StripEffect<Real> {
 }  // namespace
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext<Real>& context) {
+EffectPointer<Real> compile_effect(const Gravity& gravity, const EffectContext<Real>& context) {
   return std::make_unique<GravityForce<Real>>(gravity, context);
 }
 
-template StripEffectPointer<float> compile_effect(const Gravity&, const EffectContext<float>&);
-template StripEffectPointer<double> compile_effect(const Gravity&, const EffectContext<double>&);
+template EffectPointer<float> compile_effect(const Gravity&, const EffectContext<float>&);
+template EffectPointer<double> compile_effect(const Gravity&, const EffectContext<double>&);
+
+void check_effect(const Gravity& gravity, const Scene&, const ElementChecks& checks) {
+  checks.finite("acceleration", gravity.acceleration, "m/s^2");
+}
+
+void add_bounds(const Gravity&, const Scene&, HeldParticles&) {}
 
 }  // namespace hooke
 #endif

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "effects/strip_effect.h"
+#include "effects/effect_functions.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "effects/ground_plane.cpp"
@@ -79,7 +79,7 @@ void add_push(const Strip<double>& strip, const Plane<double>& plane, StripForce
 }
 
 template <class Real>
-class GroundPlaneForce final : public StripEffect<Real> {
+class GroundPlaneForce final : public CompiledEffect<Real> {
  public:
   explicit GroundPlaneForce(const GroundPlane& plane) : n_(plane.normal.stableNormalized()) {
     plane_ = {Real(n_.x()),       Real(n_.y()),          Real(n_.z()),
@@ -90,7 +90,7 @@ class GroundPlaneForce final : public StripEffect<Real> {
     add_push(strip, plane_, force);
   }
 
-  void add_derivative(const Strip<Real>& strip, const DerivativeWeights<Real>& weights,
+  void add_derivative(const Strip<Real>& strip, double, const DerivativeWeights<Real>& weights,
                       StripBlocks<Real>& blocks) const override {
     const Plane<Real>& p = plane_;
     const Real weight = weights.stiffness * p.stiffness + weights.damping * p.damping;
@@ -117,10 +117,10 @@ class GroundPlaneForce final : public StripEffect<Real> {
     return sum;
   }
 
-  bool has_derivative() const override { return true; }
+  unsigned parts() const override { return has_force | has_own_derivative; }
 
   Stage stage() const override {
-    return {std::string(GroundPlane::name), {}, {"position", "velocity"}, {}, 0};
+    return {std::string(GroundPlane::name), {}, {"position", "velocity"}, {"force"}, 0};
   }
 
  private:
@@ -131,12 +131,23 @@ class GroundPlaneForce final : public StripEffect<Real> {
 }  // namespace
 
 template <class Real>
-StripEffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext<Real>&) {
+EffectPointer<Real> compile_effect(const GroundPlane& plane, const EffectContext<Real>&) {
   return std::make_unique<GroundPlaneForce<Real>>(plane);
 }
 
-template StripEffectPointer<float> compile_effect(const GroundPlane&, const EffectContext<float>&);
-template StripEffectPointer<double> compile_effect(const GroundPlane&, const EffectContext<double>&);
+template EffectPointer<float> compile_effect(const GroundPlane&, const EffectContext<float>&);
+template EffectPointer<double> compile_effect(const GroundPlane&, const EffectContext<double>&);
+
+void check_effect(const GroundPlane& ground, const Scene&, const ElementChecks& checks) {
+  checks.direction("normal", ground.normal);
+  checks.finite("height", ground.height, "m");
+  checks.not_negative("stiffness", ground.stiffness, "N/m");
+  checks.not_negative("damping", ground.damping, "N s/m");
+}
+
+void add_bounds(const GroundPlane& ground, const Scene&, HeldParticles& held) {
+  held.add_to_each(ground.stiffness, ground.damping);
+}
 
 }  // namespace hooke
 #endif

@@ -29,7 +29,7 @@ void accelerate(const Strip<Real>& strip, const StripForce<Real>& force, const B
 template <class Real>
 void evaluate(const State<Real>& state, const Model<Real>& model, Forces<Real>& forces, Executor& executor,
               Accelerations<Real>& accelerations, std::size_t stage) {
-  if (forces.scatters()) forces.scatter(state, executor);
+  forces.prepare(state, state.time, executor);
   executor.parallel_for(block_count(state.size()), evaluated_blocks, [&](std::size_t begin, std::size_t end) {
     const FlushSubnormals flush;
     StripForce<Real> force;

@@ -7,6 +7,7 @@
 
 #include <hooke/scene.h>
 
+#include "effects/effect_functions.h"
 #include "scene/element_checks.h"
 #include "scene/number_text.h"
 
@@ -155,32 +156,13 @@ void check_triangles(Faults& faults, const std::vector<Triangle>& triangles, std
   }
 }
 
-void check_effect(const ElementChecks& checks, const Gravity& gravity) {
-  checks.finite("acceleration", gravity.acceleration, "m/s^2");
-}
-
-void check_effect(const ElementChecks& checks, const Drag& drag) {
-  checks.not_negative("coefficient", drag.coefficient, "N s/m");
-}
-
-void check_effect(const ElementChecks& checks, const Field& field) {
-  if (!field.force) checks.add("force is not set", "give a function of position and time");
-}
-
-void check_effect(const ElementChecks& checks, const GroundPlane& ground) {
-  checks.direction("normal", ground.normal);
-  checks.finite("height", ground.height, "m");
-  checks.not_negative("stiffness", ground.stiffness, "N/m");
-  checks.not_negative("damping", ground.damping, "N s/m");
-}
-
-void check_effects(Faults& faults, const std::vector<Effect>& effects) {
-  for (std::size_t i = 0; i < effects.size(); ++i) {
+void check_effects(Faults& faults, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) {
     const auto check = [&](const auto& effect) {
       const std::string element = "effects[" + std::to_string(i) + "] (" + std::string(effect.name) + ")";
-      check_effect(ElementChecks(faults, element), effect);
+      check_effect(effect, scene, ElementChecks(faults, element));
     };
-    std::visit(check, effects[i]);
+    std::visit(check, scene.effects[i]);
   }
 }
 
@@ -196,7 +178,7 @@ std::vector<Fault> validate(const Scene& scene) {
   check_springs(faults, scene.springs, particle_count);
   check_pins(faults, scene.pins, particle_count);
   check_triangles(faults, scene.triangles, particle_count);
-  check_effects(faults, scene.effects);
+  check_effects(faults, scene);
   return faults;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "effects/effect_functions.h"
 #include "scene/element_checks.h"
 #include "scene/number_text.h"
 #include "stability/step_division.h"
@@ -68,6 +69,21 @@ void check_method(std::vector<Fault>& faults, const VertexBlockDescent& method) 
     checks.add("acceleration is " + to_text(method.acceleration), "give a value in [0, 1)");
 }
 
+/// Effects that change the results of steps are not compatible with a method that estimates errors from
+/// derivatives of a solution.
+void check_corrections(const ElementChecks& checks, const Scene& scene, const Settings& settings) {
+  if (!std::holds_alternative<DormandPrince>(settings.method)) return;
+  for (const Effect& effect : scene.effects) {
+    const auto check = [&]<class Data>(const Data& data) {
+      if (corrects_results<Data>)
+        checks.add(
+            "method is dormand_prince, but " + std::string(data.name) + " changes the results of steps",
+            "use a method of fixed steps, or leave the effect out");
+    };
+    std::visit(check, effect);
+  }
+}
+
 void check_accumulation(const ElementChecks& checks, const Settings& settings) {
   if (can_accumulate(settings.method, settings.accumulation)) return;
   checks.add("accumulation is " + std::string(to_string(settings.accumulation)) + ", and " +
@@ -84,6 +100,7 @@ CheckedScene check(const Scene& scene, const Settings& settings) {
   checks.at_least("max_steps_per_advance", settings.max_steps_per_advance, 1);
   std::visit([&](const auto& method) { check_method(checked.faults, method); }, settings.method);
   check_accumulation(checks, settings);
+  check_corrections(checks, scene, settings);
   if (!checked.faults.empty()) return checked;
   checked.bounds.scene = bounds_of(scene);
   checked.bounds.longest_step = largest_stable_step(checked.bounds.scene, settings.method);

@@ -63,7 +63,7 @@ class ConjugateGradients final : public DirectionSolver<Real> {
         residual_(context.model.particles()),
         preconditioned_(context.model.particles()),
         inverse_(context.model.particles()) {
-    if (forces_.has_effect_derivatives()) of_effects_.emplace(context.model.particles());
+    if (forces_.effects().has_uncoupled_derivatives()) of_effects_.emplace(context.model.particles());
   }
 
   void begin() override { forcing_.begin(); }
@@ -74,7 +74,7 @@ class ConjugateGradients final : public DirectionSolver<Real> {
                                                const ParticleVectors<Real>& residual,
                                                ParticleVectors<Real>& direction) override {
     weights_ = {Real(stage.h * stage.h), Real(stage.h)};
-    double square = start(at, residual, direction);
+    double square = start(at, stage.time, residual, direction);
     const double share = forcing_.share(std::sqrt(square)), enough = share * share * square;
     const std::uint64_t most = most_iterations();
     typename DirectionSolver<Real>::Result result;
@@ -115,13 +115,14 @@ class ConjugateGradients final : public DirectionSolver<Real> {
 
   /// Linearises the forces, and begins with direction zero. Returns the preconditioned square of the
   /// residual.
-  double start(const State<Real>& at, const ParticleVectors<Real>& residual,
+  double start(const State<Real>& at, double time, const ParticleVectors<Real>& residual,
                ParticleVectors<Real>& direction) {
     direction.set_zero();
     residual_ = residual;
     copy_positions(at);
+    forces_.effects().prepare(at, time, executor_);
     sum([&](std::size_t begin, std::size_t end, LaneSums&) {
-      linearise(Strip<Real>(at, begin, end), begin, end);
+      linearise(Strip<Real>(at, begin, end), time, begin, end);
     });
     const double square =
         sum([&](std::size_t begin, std::size_t end, LaneSums& sums) { precondition(begin, end, sums); });
@@ -141,14 +142,16 @@ class ConjugateGradients final : public DirectionSolver<Real> {
       std::copy(at.packed_positions(), at.packed_positions() + count * packed_width,
                 search_.packed_positions());
     }
+    search_.memory = at.memory;
   }
 
   /// Finds the blocks of the effects, and the inverses of all of A's.
-  void linearise(const Strip<Real>& strip, std::size_t begin, std::size_t end) {
+  void linearise(const Strip<Real>& strip, double time, std::size_t begin, std::size_t end) {
     StripBlocks<Real> springs{}, effects{};
     if (slots_ != nullptr)
       gather_diagonal(*slots_, search_, begin, end, weights_, PressedSprings::no_push, springs);
-    if (of_effects_) forces_.add_effect_derivatives(strip, weights_, effects);
+    forces_.effects().add_coupled_derivatives(strip, time, weights_, springs);
+    if (of_effects_) forces_.effects().add_uncoupled_derivatives(strip, time, weights_, effects);
     for (std::size_t block = begin; block < end; ++block) {
       const Real* const mass = mass_.block(block);
       for (std::size_t i = 0; i < block_size; ++i) {
@@ -166,10 +169,14 @@ class ConjugateGradients final : public DirectionSolver<Real> {
 
   /// product = A p; returns p . A p.
   double multiply() {
+    const EffectList<Real>& effects = forces_.effects();
+    forces_.effects().prepare_products(search_, executor_);
     return sum([&](std::size_t begin, std::size_t end, LaneSums& sums) {
       StripForce<Real> product{};
       if (slots_ != nullptr)
         gather_product(*slots_, search_, begin, end, weights_, PressedSprings::no_push, product);
+      if (effects.coupled())
+        effects.add_products(Strip<Real>(search_, begin, end), weights_, Curvature::convex, product);
       for (std::size_t block = begin; block < end; ++block) {
         const std::size_t place = block * block_size, lane = (block - begin) * block_size;
         const Real *px = search_.vx() + place, *py = search_.vy() + place, *pz = search_.vz() + place;

@@ -30,11 +30,13 @@ class ConstantStiffness final : public DirectionSolver<Real> {
       unknown_of_row_[factor_.row(u)] = std::uint32_t(u);
     }
     if (!effects_.bounds().empty()) {
-      const State<Real> start = initial_state(context.scene, context.model);
-      effects_.add(start, {Real(1), Real(0)});
+      State<Real> start = initial_state(context.scene, context.model);
+      start.memory = context.forces.effects().initial_memory();
+      context.forces.prepare(start, start.time, context.executor);
+      effects_.add(start, start.time, {Real(1), Real(0)});
       stiffness_at_start_ = effects_.bounds();
       effects_.clear();
-      effects_.add(start, {Real(0), Real(1)});
+      effects_.add(start, start.time, {Real(0), Real(1)});
       damping_at_start_ = effects_.bounds();
       factored_effects_.resize(effects_.bounds().size());
       change_.emplace(factor_);
@@ -54,7 +56,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
                                                const ParticleVectors<Real>& residual,
                                                ParticleVectors<Real>& direction) override {
     if (stage.h != factored_h_) factor(stage.h);
-    if (change_) look_at_effects(stage.h, at);
+    if (change_) look_at_effects(stage, at);
     typename DirectionSolver<Real>::Result result;
     if (pairs_) {
       pairs_->observe(at, residual);
@@ -86,9 +88,9 @@ class ConstantStiffness final : public DirectionSolver<Real> {
 
   /// Finds by how much effects are stiffer now than in the matrix that is factored, or less stiff. What is
   /// small beside the matrix is left out.
-  void look_at_effects(double h, const State<Real>& at) {
+  void look_at_effects(const ImplicitStage<Real>& stage, const State<Real>& at) {
     constexpr double small = 0.01;
-    effects_.add(at, {Real(h * h), Real(h)});
+    effects_.add(at, stage.time, {Real(stage.h * stage.h), Real(stage.h)});
     for (std::size_t row = 0; row < particle_of_row_.size(); ++row) {
       const Index i = particle_of_row_[row];
       const Real change = effects_.bounds()[i] - factored_effects_[i];

@@ -20,7 +20,7 @@ Real largest_eigenvalue_bound(const StripBlocks<Real>& m, std::size_t i) {
 template <class Real>
 EffectStiffness<Real>::EffectStiffness(const SolverContext<Real>& context)
     : forces_(context.forces),
-      bounds_(context.forces.has_effect_derivatives() ? context.model.particles() : 0, Real(0)) {}
+      bounds_(context.forces.effects().has_derivatives() ? context.model.particles() : 0, Real(0)) {}
 
 template <class Real>
 void EffectStiffness<Real>::clear() {
@@ -28,12 +28,13 @@ void EffectStiffness<Real>::clear() {
 }
 
 template <class Real>
-void EffectStiffness<Real>::add(const State<Real>& at, const DerivativeWeights<Real>& weights) {
+void EffectStiffness<Real>::add(const State<Real>& at, double time, const DerivativeWeights<Real>& weights) {
   if (bounds_.empty()) return;
   for_each_strip(0, block_count(at.size()), [&](std::size_t begin, std::size_t end) {
     const Strip<Real> strip(at, begin, end);
     StripBlocks<Real> blocks{};
-    forces_.add_effect_derivatives(strip, weights, blocks);
+    forces_.effects().add_uncoupled_derivatives(strip, time, weights, blocks);
+    forces_.effects().add_coupled_majorants(strip, time, weights, blocks);
     for (std::size_t i = 0; i < strip.particles; ++i) {
       Real& bound = bounds_[strip.first + i];
       bound = std::max(bound, largest_eigenvalue_bound(blocks, i));

@@ -16,8 +16,8 @@ class EffectStiffness {
 
   void clear();
 
-  /// Adds what they are in a state.
-  void add(const State<Real>& at, const DerivativeWeights<Real>& weights);
+  /// Adds what they are in a state, which the forces have been prepared for, at a time [s].
+  void add(const State<Real>& at, double time, const DerivativeWeights<Real>& weights);
 
   const std::vector<Real>& bounds() const { return bounds_; }
 

@@ -22,20 +22,35 @@ struct Arrays {
 }  // namespace
 
 template <class Real>
-FreeMotion<Real>::FreeMotion(const Model<Real>& model, const Forces<Real>& forces)
-    : model_(model), forces_(forces), start_(model.particles()), now_(model.particles()) {}
+FreeMotion<Real>::FreeMotion(const Model<Real>& model, Forces<Real>& forces)
+    : model_(model),
+      forces_(forces),
+      coupled_(forces, model.particles()),
+      start_(model.particles()),
+      now_(model.particles()) {}
 
 template <class Real>
-void FreeMotion<Real>::predict(const Substep& substep, std::size_t begin, std::size_t end) {
+void FreeMotion<Real>::begin(const Substep& substep, std::size_t begin, std::size_t end) {
+  const FlushSubnormals flush;
+  for (std::size_t block = begin; block < end; ++block) begin_block(substep, block);
+}
+
+template <class Real>
+void FreeMotion<Real>::take_coupled(const Substep& substep, Executor& executor) {
+  now_.memory = substep.stage.from.memory;
+  coupled_.take(now_, time_of(substep), weights_of(substep), executor);
+}
+
+template <class Real>
+void FreeMotion<Real>::add_effects(const Substep& substep, std::size_t begin, std::size_t end) {
   const FlushSubnormals flush;
   for_each_strip(begin, end, [&](std::size_t strip_begin, std::size_t strip_end) {
-    for (std::size_t block = strip_begin; block < strip_end; ++block) begin_substep(substep, block);
-    add_effects(substep, strip_begin, strip_end);
+    add_effects_to_strip(substep, strip_begin, strip_end);
   });
 }
 
 template <class Real>
-void FreeMotion<Real>::begin_substep(const Substep& substep, std::size_t block) {
+void FreeMotion<Real>::begin_block(const Substep& substep, std::size_t block) {
   const std::size_t first = block * block_size;
   const Real* const inverse_mass = model_.inverse_mass.block(block);
   const Real h = substep.h, left = Real(substep.left);
@@ -56,13 +71,14 @@ void FreeMotion<Real>::begin_substep(const Substep& substep, std::size_t block) 
 }
 
 template <class Real>
-void FreeMotion<Real>::add_effects(const Substep& substep, std::size_t begin, std::size_t end) {
+void FreeMotion<Real>::add_effects_to_strip(const Substep& substep, std::size_t begin, std::size_t end) {
   const Strip<Real> strip(now_, begin, end);
-  const double time = substep.stage.time - substep.left * substep.stage.h;
+  const EffectList<Real>& effects = forces_.effects();
   StripForce<Real> force{};
   StripBlocks<Real> blocks{};
-  forces_.add_effects(strip, time, force);
-  forces_.add_effect_derivatives(strip, {substep.h * substep.h, substep.h}, blocks);
+  effects.add_uncoupled_forces(strip, time_of(substep), force);
+  effects.add_uncoupled_derivatives(strip, time_of(substep), weights_of(substep), blocks);
+  coupled_.add(begin, end, force, blocks);
   const VertexEquations<Real> equations{nullptr, model_.inverse_mass, start_, substep.h, Real(0)};
   solve_vertices(equations, {begin, end, begin * block_size, end * block_size}, force, blocks, now_);
 }

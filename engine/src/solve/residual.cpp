@@ -35,6 +35,7 @@ Residual<Real>::Residual(const SolverContext<Real>& context)
 template <class Real>
 double Residual<Real>::evaluate(const ImplicitStage<Real>& stage, const State<Real>& at,
                                 const ParticleVectors<Real>& direction) {
+  forces_.prepare(at, stage.time, executor_);
   const auto part = [&](std::size_t begin, std::size_t end) {
     const FlushSubnormals flush;
     LaneSums sums;

@@ -14,8 +14,14 @@ auto SolvedSteps<Real>::kind_of(const Method& method) -> Kind {
 
 template <class Real>
 SolvedSteps<Real>::SolvedSteps(const Method& method, const SolverContext<Real>& context)
-    : kind_(kind_of(method)), model_(context.model), solver_(make_stage_solver(method, context)) {
-  if (uses_before()) from_.emplace(model_.particles(), packed_for(model_));
+    : kind_(kind_of(method)),
+      model_(context.model),
+      effects_(context.forces.effects()),
+      executor_(context.executor),
+      solver_(make_stage_solver(method, context)) {
+  if (!uses_before()) return;
+  from_.emplace(model_.particles(), packed_for(model_));
+  from_->memory = effects_.initial_memory();
 }
 
 template <class Real>
@@ -81,6 +87,8 @@ template <class Real>
 StageResult SolvedSteps<Real>::take(double h, double time, double time_after, StateRing<Real>& states) {
   const State<Real>& now = states.now();
   State<Real>& next = states.after(1);
+  next.memory = now.memory;
+  if (from_) from_->memory = now.memory;
   const StageResult result = [&] {
     if (kind_ == Kind::middle) return take_middle(h, time, time_after, now, next);
     if (kind_ == Kind::two_steps && knows_before_) return take_two_steps(h, time_after, states, next);
@@ -88,7 +96,15 @@ StageResult SolvedSteps<Real>::take(double h, double time, double time_after, St
   }();
   next.time = time_after;
   next.pending_kick = 0.0;
+  correct(h, time_after, now, next);
   return result;
+}
+
+template <class Real>
+void SolvedSteps<Real>::correct(double h, double time_after, const State<Real>& now, State<Real>& next) {
+  const StepResult<Real> result{now, next, h, time_after};
+  if (effects_.corrects_strips()) effects_.correct_strips(result, 0, block_count(next.size()));
+  if (effects_.corrects()) effects_.correct(result, executor_);
 }
 
 template <class Real>

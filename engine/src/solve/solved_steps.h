@@ -48,8 +48,13 @@ class SolvedSteps {
   /// Sets `next` to the guess of a stage: the velocities of now, and pins where they are at its time.
   void guess(const ImplicitStage<Real>& stage, const State<Real>& now, State<Real>& next) const;
 
+  /// What effects do to the result of a step.
+  void correct(double h, double time_after, const State<Real>& now, State<Real>& next);
+
   Kind kind_;
   const Model<Real>& model_;
+  EffectList<Real>& effects_;
+  Executor& executor_;
   StageSolverPointer<Real> solver_;
   std::optional<State<Real>> from_;  ///< of two steps, where the stage begins
   bool knows_before_ = false;

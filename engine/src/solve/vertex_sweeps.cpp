@@ -43,6 +43,7 @@ VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjac
     : executor_(context.executor),
       model_(context.scene, adjacency, std::move(colours.order), Accumulation::gather, context.executor),
       forces_(context.scene, model_),
+      coupled_(forces_, model_.particles()),
       from_(model_.particles()),
       now_(model_.particles(), packed_for(model_)) {
   cut_into_strips(colours.begin);
@@ -93,6 +94,7 @@ template <class Real>
 void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real>& guess) {
   h_ = Real(stage.h);
   time_ = stage.time;
+  now_.memory = stage.from.memory;
   executor_.parallel_for(engine_.size(), copied_particles, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index e = engine_[i];
@@ -107,6 +109,7 @@ void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real
 template <class Real>
 double VertexSweeps<Real>::sweep(Real least_across) {
   const VertexEquations<Real> equations{slots_of(model_), model_.inverse_mass, from_, h_, least_across};
+  if (coupled_.any()) coupled_.take(now_, time_, {h_ * h_, h_}, executor_);
   const auto solve = [&](std::size_t first, std::size_t last) {
     for (std::size_t s = first; s < last; ++s) changes_[s] = solve_strip(equations, strips_[s]);
   };
@@ -126,8 +129,9 @@ double VertexSweeps<Real>::solve_strip(const VertexEquations<Real>& equations, c
   const Strip<Real> particles(now_, strip.begin, strip.end);
   StripForce<Real> force{};
   StripBlocks<Real> blocks{};
-  forces_.add_effects(particles, time_, force);
-  forces_.add_effect_derivatives(particles, {h_ * h_, h_}, blocks);
+  forces_.effects().add_uncoupled_forces(particles, time_, force);
+  forces_.effects().add_uncoupled_derivatives(particles, time_, {h_ * h_, h_}, blocks);
+  coupled_.add(strip.begin, strip.end, force, blocks);
   return solve_vertices(equations, strip, force, blocks, now_);
 }
 
@@ -145,7 +149,7 @@ template <class Real>
 std::size_t VertexSweeps<Real>::bytes() const {
   const Slots<Real>* const slots = slots_of(model_);
   return model_.order.bytes() + model_.inverse_mass.bytes() + (slots == nullptr ? 0 : slots->bytes()) +
-         engine_.capacity() * sizeof(Index) + strips_.capacity() * sizeof(VertexStrip) +
+         coupled_.bytes() + engine_.capacity() * sizeof(Index) + strips_.capacity() * sizeof(VertexStrip) +
          colours_.capacity() * sizeof(Colour) + changes_.capacity() * sizeof(double) + from_.bytes() +
          now_.bytes();
 }

@@ -7,12 +7,14 @@
 #include "model/adjacency.h"
 #include "model/model.h"
 #include "model/vertex_colours.h"
+#include "solve/coupled_forces.h"
 #include "solve/stage_solver.h"
 
 namespace hooke {
 
 /// The particles colour by colour, their springs and effects, and the state that sweeps over them improve.
-/// As a particle's effects depend on nothing but itself, they are taken when its turn comes.
+/// Effects that depend on nothing but the particle are taken when its turn comes, coupled ones before each
+/// sweep.
 template <class Real>
 class VertexSweeps {
  public:
@@ -53,8 +55,9 @@ class VertexSweeps {
   bool overlaps(const VertexStrip& strip, std::size_t first, std::size_t last) const;
 
   Executor& executor_;
-  Model<Real> model_;          ///< in the order of colours
-  Forces<Real> forces_;        ///< the same
+  Model<Real> model_;    ///< in the order of colours
+  Forces<Real> forces_;  ///< the same
+  CoupledForces<Real> coupled_;
   std::vector<Index> engine_;  ///< for each particle here its number in the engine's order
   std::vector<Colour> colours_;
   std::vector<VertexStrip> strips_;

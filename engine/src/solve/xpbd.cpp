@@ -68,8 +68,13 @@ class PositionBasedDynamics final : public StageSolver<Real> {
   }
 
   void take_substep(const typename FreeMotion<Real>::Substep& substep) {
+    if (motion_.coupled()) {
+      for_each_run([&](std::size_t begin, std::size_t end) { motion_.begin(substep, begin, end); });
+      motion_.take_coupled(substep, executor_);
+    }
     for_each_run([&](std::size_t begin, std::size_t end) {
-      motion_.predict(substep, begin, end);
+      if (!motion_.coupled()) motion_.begin(substep, begin, end);
+      motion_.add_effects(substep, begin, end);
       pack(motion_.now(), begin, end, places_.data());
       std::fill(moves_.begin() + at(begin), moves_.begin() + at(end), Real(0));
       if (springs_.damped()) pack(motion_.start(), begin, end, before_.data());

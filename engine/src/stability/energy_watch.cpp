@@ -7,6 +7,7 @@
 
 #include <hooke/stability.h>
 
+#include "effects/effect_functions.h"
 #include "kernels/flush_subnormals.h"
 #include "parallel/sum.h"
 #include "stability/step_division.h"
@@ -190,8 +191,7 @@ bool is_watched(const Scene& scene, const Settings& settings) {
   if (on_trouble(settings) == OnTrouble::ignore && !settings.decide_on_trouble) return false;
   if (std::holds_alternative<DormandPrince>(settings.method) || solves_equations(settings.method))
     return false;
-  return std::none_of(scene.effects.begin(), scene.effects.end(),
-                      [](const Effect& effect) { return std::holds_alternative<Field>(effect); });
+  return !does_unknown_work_in(scene);
 }
 
 template class EnergyWatch<float>;

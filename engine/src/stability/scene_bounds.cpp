@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "effects/effect_functions.h"
+
 namespace hooke {
 namespace {
 
@@ -29,26 +31,25 @@ std::vector<double> pulls(const Scene& scene, const Weights& weights) {
   return sums;
 }
 
-/// What holds a single particle, whatever its springs.
-double pull_on_each(const Scene& scene, const Weights& weights) {
-  double sum = 0.0;
-  for (const Effect& effect : scene.effects) {
-    if (const auto* drag = std::get_if<Drag>(&effect)) sum += weights.of(0.0, drag->coefficient);
-    if (const auto* ground = std::get_if<GroundPlane>(&effect))
-      sum += weights.of(ground->stiffness, ground->damping);
-  }
-  return sum;
-}
+/// What effects hold a particle with, over its mass: the most there is of a particle that is not pinned.
+struct HeldMost {
+  double pull = 0.0, brake = 0.0;  ///< [1/s^2], [1/s]
+};
 
-/// The inverse of the lightest mass that is not pinned [1/kg]; 0 where all are.
-double largest_inverse_mass(const Scene& scene) {
+HeldMost held_most(const Scene& scene) {
+  HeldParticles held(scene.particles.size());
+  for (const Effect& effect : scene.effects)
+    std::visit([&](const auto& data) { add_bounds(data, scene, held); }, effect);
+  HeldMost most;
+  if (!held.any()) return most;
   std::vector<bool> pinned(scene.particles.size(), false);
   for (const Pin& pin : scene.pins) pinned[pin.particle] = true;
-  double largest = 0.0;
   for (std::size_t i = 0; i < pinned.size(); ++i) {
-    if (!pinned[i]) largest = std::max(largest, 1.0 / scene.particles.mass[i]);
+    if (pinned[i]) continue;
+    most.pull = std::max(most.pull, held.stiffness(i) / scene.particles.mass[i]);
+    most.brake = std::max(most.brake, held.damping(i) / scene.particles.mass[i]);
   }
-  return largest;
+  return most;
 }
 
 /// The h > 0 at which h^2 k + 2 h c = 4; infinite where there is none.
@@ -61,21 +62,18 @@ double step_at_the_limit(double k, double c) {
 ///
 /// The eigenvalues of M^-1 (weighted K and C) are bounded by the largest, over springs, of the sum over both
 /// ends of what pulls at an end divided by its mass (Irons' theorem on elements, each mass shared among its
-/// springs in proportion to their pull), and what holds the lightest particle alone.
+/// springs in proportion to their pull), and what effects hold a particle with over its mass.
 class PullsOverMasses {
  public:
   explicit PullsOverMasses(const Scene& scene) : scene_(scene), pull_(over_masses(of_stiffness)) {
     // A scene may be large: what it lacks takes no memory here.
     if (!scene.springs.damping.empty()) brake_ = over_masses(of_damping);
-    const double on_each_pull = pull_on_each(scene, of_stiffness);
-    const double on_each_brake = pull_on_each(scene, of_damping);
-    if (on_each_pull + on_each_brake == 0.0) return;
-    const double inverse_mass = largest_inverse_mass(scene);
-    pull_alone_ = on_each_pull * inverse_mass;
-    brake_alone_ = on_each_brake * inverse_mass;
+    const HeldMost alone = held_most(scene);
+    pull_alone_ = alone.pull;
+    brake_alone_ = alone.brake;
   }
 
-  /// Calls visit(pull, brake) with what counts for each spring, and for what is held alone.
+  /// Calls visit(pull, brake) with what counts for each spring, and for what effects hold.
   template <class Visit>
   void for_each(const Visit& visit) const {
     visit(pull_alone_, brake_alone_);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "effects/compiled_effect.h"
+#include "scene/element_checks.h"
+#include "stability/held_particles.h"
+
+/// What is there for each effect; each one's are in the file of its name.
+
+namespace hooke {
+
+/// The effect as it runs in this scene.
+template <class Real>
+EffectPointer<Real> compile_effect(const Gravity&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Drag&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Field&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const GroundPlane&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const LaplacianBending&, const EffectContext<Real>&);
+
+/// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
+void check_effect(const Gravity&, const Scene&, const ElementChecks&);
+void check_effect(const Drag&, const Scene&, const ElementChecks&);
+void check_effect(const Field&, const Scene&, const ElementChecks&);
+void check_effect(const GroundPlane&, const Scene&, const ElementChecks&);
+void check_effect(const LaplacianBending&, const Scene&, const ElementChecks&);
+
+/// Adds how stiffly it holds particles, of a scene without faults.
+void add_bounds(const Gravity&, const Scene&, HeldParticles&);
+void add_bounds(const Drag&, const Scene&, HeldParticles&);
+void add_bounds(const Field&, const Scene&, HeldParticles&);
+void add_bounds(const GroundPlane&, const Scene&, HeldParticles&);
+void add_bounds(const LaplacianBending&, const Scene&, HeldParticles&);
+
+/// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
+/// energy there should be.
+template <class Data>
+inline constexpr bool does_unknown_work = false;
+template <>
+inline constexpr bool does_unknown_work<Field> = true;
+
+bool does_unknown_work_in(const Scene& scene);
+
+/// Whether it changes the results of steps, beside or instead of having a force.
+template <class Data>
+inline constexpr bool corrects_results = false;
+
+}  // namespace hooke
