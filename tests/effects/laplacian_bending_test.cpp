@@ -70,7 +70,8 @@ TEST_CASE("Laplacian bending: every method bends a line back, and the bound hold
   for (std::size_t i = 0; i < 12; ++i) scene.particles.position[i].y() += i % 2 == 0 ? 0.01 : -0.01;
   for (const Method& method : all_methods) {
     CAPTURE(to_string(method));
-    if (std::holds_alternative<ExplicitEuler>(method)) continue;  // needs very short steps
+    const double limit = std::visit([](const auto& one) { return one.oscillation_limit; }, method);
+    if (limit == 0.0) continue;  // lets undamped oscillations grow
     Simulation<double> simulation(scene, {.method = method, .step = 2e-3});
     const double before = simulation.energy().external;
     for (int i = 0; i < 100; ++i) REQUIRE(simulation.step(5).ok());

@@ -8,6 +8,7 @@
 
 #include <hooke/builders.h>
 
+#include "scene_file/json_reader.h"
 #include "scene_text.h"
 
 using namespace hooke;
