@@ -161,7 +161,7 @@ TEST_CASE("all faults of a file are found at once") {
     "particles": {"mass": "heavy"},
     "cloth_grid": {"columns": 1, "spacing": -1, "strech": 3},
     "cloth_mesh": {"file": "no such file.obj"},
-    "effects": {"drag": {"coefficient": -1}, "field": {}, "wind": {}},
+    "effects": {"drag": {"coefficient": -1}, "field": {"shape": {"callback": {}}}, "winds": {}},
     "method": {"leapfrog": {}}
   })");
   std::string text;
@@ -169,7 +169,7 @@ TEST_CASE("all faults of a file are found at once") {
   for (const std::string_view place :
        {"colour", "seconds", "accumulation", "particles.mass", "particles.position", "cloth_grid.columns",
         "cloth_grid.spacing", "cloth_grid.strech", "cloth_mesh.file", "effects.drag.coefficient",
-        "effects.field", "effects.wind", "method.leapfrog", "step"}) {
+        "effects.field.shape.callback", "effects.winds", "method.leapfrog", "step"}) {
     CAPTURE(place);
     CHECK(contains("\n" + text, "\n" + std::string(place) + "\n"));
   }
