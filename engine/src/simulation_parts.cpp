@@ -71,7 +71,9 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
 
 template <class Real>
 Energy Simulation<Real>::Parts::energy() {
-  const ParticleSums sums = sum_particles(model, forces, whole_state(), *executor);
+  const State<Real>& now = whole_state();
+  forces.effects().prepare(now, now.time, *executor);
+  const ParticleSums sums = sum_particles(model, forces, now, *executor);
   return {sums.kinetic, forces.measure_springs(states.now(), *executor).energy, sums.external};
 }
 

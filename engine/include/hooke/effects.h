@@ -275,13 +275,14 @@ struct MotionScript {
   }
 };
 
-/// Gas inside the scene's triangles, which must close: its pressure over that outside is
+/// Gas inside a closed surface of the scene's triangles: its pressure over that outside is
 ///   p = (ambient + overpressure) (V0 / V)^exponent - ambient
 /// with V the volume, V0 that of the start.
 struct Pressure {
   double overpressure = 0.0;  ///< at the start [Pa]
   double ambient = 101325.0;  ///< [Pa], >= 0
   double exponent = 1.0;      ///< [1], >= 0: 1 at one temperature, 1.4 for air without exchange of heat
+  std::vector<Index> triangles = {};  ///< of the scene, with corners anticlockwise from outside; none: all
 
   static constexpr std::string_view name = "pressure";
   template <class Self, class Visit>
@@ -289,20 +290,23 @@ struct Pressure {
     visit("overpressure", self.overpressure);
     visit("ambient", self.ambient);
     visit("exponent", self.exponent);
+    visit("triangles", self.triangles);
   }
 };
 
-/// A body that resists changes of the volume inside the scene's triangles, which must close:
+/// A body that resists changes of the volume inside a closed surface of the scene's triangles:
 /// E = bulk_modulus / 2 (V - V0)^2 / V0.
 struct Volume {
-  double bulk_modulus = 0.0;  ///< [Pa], >= 0
-  double ratio = 1.0;         ///< V0 over the volume of the start [1], > 0
+  double bulk_modulus = 0.0;          ///< [Pa], >= 0
+  double ratio = 1.0;                 ///< V0 over the volume of the start [1], > 0
+  std::vector<Index> triangles = {};  ///< of the scene, with corners anticlockwise from outside; none: all
 
   static constexpr std::string_view name = "volume";
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     visit("bulk_modulus", self.bulk_modulus);
     visit("ratio", self.ratio);
+    visit("triangles", self.triangles);
   }
 };
 
@@ -331,6 +335,7 @@ struct CustomEffect {
   static void fields(Self&, Visit&&) {}
 };
 
-using Effect = std::variant<Gravity, Drag, Field, GroundPlane, LaplacianBending>;
+using Effect =
+    std::variant<Gravity, Drag, Field, GroundPlane, LaplacianBending, Pressure, Volume, CustomEffect>;
 
 }  // namespace hooke

@@ -19,6 +19,12 @@ template <class Real>
 EffectPointer<Real> compile_effect(const GroundPlane&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const LaplacianBending&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Pressure&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Volume&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const CustomEffect&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -26,6 +32,9 @@ void check_effect(const Drag&, const Scene&, const ElementChecks&);
 void check_effect(const Field&, const Scene&, const ElementChecks&);
 void check_effect(const GroundPlane&, const Scene&, const ElementChecks&);
 void check_effect(const LaplacianBending&, const Scene&, const ElementChecks&);
+void check_effect(const Pressure&, const Scene&, const ElementChecks&);
+void check_effect(const Volume&, const Scene&, const ElementChecks&);
+void check_effect(const CustomEffect&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -33,6 +42,9 @@ void add_bounds(const Drag&, const Scene&, HeldParticles&);
 void add_bounds(const Field&, const Scene&, HeldParticles&);
 void add_bounds(const GroundPlane&, const Scene&, HeldParticles&);
 void add_bounds(const LaplacianBending&, const Scene&, HeldParticles&);
+void add_bounds(const Pressure&, const Scene&, HeldParticles&);
+void add_bounds(const Volume&, const Scene&, HeldParticles&);
+void add_bounds(const CustomEffect&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
@@ -40,6 +52,10 @@ template <class Data>
 inline constexpr bool does_unknown_work = false;
 template <>
 inline constexpr bool does_unknown_work<Field> = true;
+template <>
+inline constexpr bool does_unknown_work<Pressure> = true;  // gas may give more than it has at the start
+template <>
+inline constexpr bool does_unknown_work<CustomEffect> = true;
 
 bool does_unknown_work_in(const Scene& scene);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include <hooke/scene.h>
+
+#include "scene/element_checks.h"
+
+namespace hooke {
+
+/// Those of the scene's triangles that `chosen` names, or all where it names none.
+std::vector<Triangle> chosen_triangles(const Scene& scene, const std::vector<Index>& chosen);
+
+/// Adds a fault unless the chosen triangles exist and enclose a volume: each edge belongs to two of them,
+/// which go through it in opposite directions, and their normals point outwards. Of the scene nothing has
+/// been checked.
+void check_closed_surface(const Scene& scene, const std::vector<Index>& chosen, const ElementChecks& checks);
+
+/// The volume [m^3] that triangles enclose at the start; negative where their normals point inwards.
+double enclosed_volume(const Scene& scene, const std::vector<Triangle>& triangles);
+
+}  // namespace hooke
