@@ -18,6 +18,8 @@ EffectPointer<Real> compile_effect(const Field&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const GroundPlane&, const EffectContext<Real>&);
 template <class Real>
+EffectPointer<Real> compile_effect(const HingeBending&, const EffectContext<Real>&);
+template <class Real>
 EffectPointer<Real> compile_effect(const LaplacianBending&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
@@ -25,6 +27,7 @@ void check_effect(const Gravity&, const Scene&, const ElementChecks&);
 void check_effect(const Drag&, const Scene&, const ElementChecks&);
 void check_effect(const Field&, const Scene&, const ElementChecks&);
 void check_effect(const GroundPlane&, const Scene&, const ElementChecks&);
+void check_effect(const HingeBending&, const Scene&, const ElementChecks&);
 void check_effect(const LaplacianBending&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
@@ -32,6 +35,7 @@ void add_bounds(const Gravity&, const Scene&, HeldParticles&);
 void add_bounds(const Drag&, const Scene&, HeldParticles&);
 void add_bounds(const Field&, const Scene&, HeldParticles&);
 void add_bounds(const GroundPlane&, const Scene&, HeldParticles&);
+void add_bounds(const HingeBending&, const Scene&, HeldParticles&);
 void add_bounds(const LaplacianBending&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
