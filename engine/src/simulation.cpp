@@ -228,8 +228,8 @@ double Simulation<Real>::max_strain() const {
 
 template <class Real>
 Stability Simulation<Real>::stability() const {
-  const Parts& p = *parts_;
-  return report_stability(p.stability, p.settings, p.model, p.states.now(), *p.executor);
+  Parts& p = *parts_;
+  return report_stability(p.stability, p.settings, p.model, p.forces.effects(), p.states.now(), *p.executor);
 }
 
 template <class Real>

@@ -20,6 +20,8 @@ constexpr std::array units{
     FieldUnit{Pressure::name, "overpressure", "Pa"},
     FieldUnit{Pressure::name, "ambient", "Pa"},
     FieldUnit{Volume::name, "bulk_modulus", "Pa"},
+    FieldUnit{HingeBending::name, "stiffness", "N m"},
+    FieldUnit{HingeBending::name, "damping", "s"},
     FieldUnit{DormandPrince::name, "position_tolerance", "m"},
     FieldUnit{DormandPrince::name, "velocity_tolerance", "m/s"},
     FieldUnit{DormandPrince::name, "smallest_step", "s"},

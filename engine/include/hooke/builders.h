@@ -179,4 +179,14 @@ BlockParticles add(Scene& scene, const Block& block);
 std::vector<Index> furthest_along(const Scene& scene, Index first, Index count, const Vec3& direction,
                                   double distance);
 
+/// Bending along the rows and columns of a grid of square cells, for a sheet of bending stiffness D >= 0 [N
+/// m]: k = D b / a^3 with a the spacing [m], > 0, and b the width that a line stands for: a, and half of it
+/// for the lines at the border. Converges to 1/2 D (curvature along rows^2 + curvature along columns^2) per
+/// area. Throws SceneError where spacing or stiffness are bad.
+LaplacianBending bending_of(const GridParticles& grid, double spacing, double stiffness);
+
+/// Bending of a rope of bending stiffness EI >= 0 [N m^2] whose particles are `spacing` [m] apart, > 0:
+/// k = EI / a^3.
+LaplacianBending bending_of(const RopeParticles& rope, double spacing, double stiffness);
+
 }  // namespace hooke

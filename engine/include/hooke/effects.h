@@ -131,8 +131,11 @@ struct GroundPlane {
 /// Bending at the edges that two of the scene's triangles share, for sheets of any mesh (Bridson, Marino,
 /// Fedkiw 2003; Grinspun, Hirani, Desbrun, Schroeder 2003):
 ///   E = sum over edges of D/2 |e|^2 / (A1 + A2) (theta - theta0)^2
-/// with theta the angle between the normals; |e| and the areas are those of the start. Converges to a sheet
-/// of bending stiffness D under refinement where the triangles are nearly equilateral.
+/// with theta the angle between the normals, and theta - theta0 from -pi to pi; |e| and the areas are those
+/// of the start. An edge of more than two triangles is a hinge for each pair. Converges to a sheet of bending
+/// stiffness D under refinement where the triangles are nearly equilateral; on others it is stiffer in some
+/// directions than in others (docs/bending.md). A triangle that has no area at a time, but for rounding, has
+/// no normal, and its hinges no force then; two that have none at the start have no hinge.
 struct HingeBending {
   double stiffness = 0.0;    ///< D [N m], >= 0
   double damping = 0.0;      ///< of the rate of theta, over the stiffness [s], >= 0
@@ -335,7 +338,7 @@ struct CustomEffect {
   static void fields(Self&, Visit&&) {}
 };
 
-using Effect =
-    std::variant<Gravity, Drag, Field, GroundPlane, LaplacianBending, Pressure, Volume, CustomEffect>;
+using Effect = std::variant<Gravity, Drag, Field, GroundPlane, HingeBending, LaplacianBending, Pressure,
+                            Volume, CustomEffect>;
 
 }  // namespace hooke

@@ -175,7 +175,8 @@ class Simulation {
   double max_strain() const;
 
   /// What is guaranteed of the scene, and the highest frequency in the newest state: some 50 products with
-  /// the derivative of the forces, each of which takes about as long as energy(). A Field is not counted.
+  /// the derivative of the forces, each of which takes about as long as energy(). Springs, ground planes and
+  /// effects that join particles, such as bending, are counted; a Field is not.
   Stability stability() const;
 
   /// A hash of the bits of time, positions and velocities in the user's numbering: equal if and (nearly) only

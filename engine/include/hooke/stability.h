@@ -8,8 +8,8 @@
 #include <hooke/scene.h>
 
 /// How fast a scene can move, and so how long a step it allows. The functions give upper bounds, found from
-/// the springs, drag and ground planes of the scene without simulating it; a Field's stiffness is not known
-/// and not counted.
+/// the springs and effects of the scene without simulating it; a Field's stiffness is not known and not
+/// counted. Of hinges the bound is that of the shape at the start, with half as much again for what folds.
 ///
 /// They hold however springs are stretched or pressed: what pressing adds across a spring is a negative
 /// stiffness, which makes it buckle and not swing. Where springs turn fast, as in a crumpled cloth, steps

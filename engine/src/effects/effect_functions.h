@@ -18,6 +18,8 @@ EffectPointer<Real> compile_effect(const Field&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const GroundPlane&, const EffectContext<Real>&);
 template <class Real>
+EffectPointer<Real> compile_effect(const HingeBending&, const EffectContext<Real>&);
+template <class Real>
 EffectPointer<Real> compile_effect(const LaplacianBending&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const Pressure&, const EffectContext<Real>&);
@@ -31,6 +33,7 @@ void check_effect(const Gravity&, const Scene&, const ElementChecks&);
 void check_effect(const Drag&, const Scene&, const ElementChecks&);
 void check_effect(const Field&, const Scene&, const ElementChecks&);
 void check_effect(const GroundPlane&, const Scene&, const ElementChecks&);
+void check_effect(const HingeBending&, const Scene&, const ElementChecks&);
 void check_effect(const LaplacianBending&, const Scene&, const ElementChecks&);
 void check_effect(const Pressure&, const Scene&, const ElementChecks&);
 void check_effect(const Volume&, const Scene&, const ElementChecks&);
@@ -41,6 +44,7 @@ void add_bounds(const Gravity&, const Scene&, HeldParticles&);
 void add_bounds(const Drag&, const Scene&, HeldParticles&);
 void add_bounds(const Field&, const Scene&, HeldParticles&);
 void add_bounds(const GroundPlane&, const Scene&, HeldParticles&);
+void add_bounds(const HingeBending&, const Scene&, HeldParticles&);
 void add_bounds(const LaplacianBending&, const Scene&, HeldParticles&);
 void add_bounds(const Pressure&, const Scene&, HeldParticles&);
 void add_bounds(const Volume&, const Scene&, HeldParticles&);

@@ -63,6 +63,7 @@ class ConjugateGradients final : public DirectionSolver<Real> {
         residual_(context.model.particles()),
         preconditioned_(context.model.particles()),
         inverse_(context.model.particles()) {
+    search_.memory = forces_.effects().initial_memory();
     if (forces_.effects().has_uncoupled_derivatives()) of_effects_.emplace(context.model.particles());
   }
 

@@ -27,7 +27,9 @@ FreeMotion<Real>::FreeMotion(const Model<Real>& model, Forces<Real>& forces)
       forces_(forces),
       coupled_(forces, model.particles()),
       start_(model.particles()),
-      now_(model.particles()) {}
+      now_(model.particles()) {
+  now_.memory = forces.effects().initial_memory();
+}
 
 template <class Real>
 void FreeMotion<Real>::begin(const Substep& substep, std::size_t begin, std::size_t end) {

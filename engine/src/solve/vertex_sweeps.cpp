@@ -46,6 +46,7 @@ VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjac
       coupled_(forces_, model_.particles()),
       from_(model_.particles()),
       now_(model_.particles(), packed_for(model_)) {
+  now_.memory = forces_.effects().initial_memory();
   cut_into_strips(colours.begin);
   engine_.reserve(model_.particles());
   for (std::size_t i = 0; i < model_.particles(); ++i)

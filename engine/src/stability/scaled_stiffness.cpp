@@ -33,8 +33,13 @@ Vec3 answer(const SlotSpring& spring, const Vec3& apart, const Vec3& moved) {
 
 template <class Real>
 ScaledStiffness<Real>::ScaledStiffness(const Model<Real>& model, std::span<const GroundPlane> grounds,
-                                       const State<Real>& state, Executor& executor)
-    : model_(model), grounds_(grounds), state_(state), executor_(executor) {
+                                       EffectList<Real>& effects, const State<Real>& state,
+                                       Executor& executor)
+    : model_(model), grounds_(grounds), effects_(effects), state_(state), executor_(executor) {
+  if (effects.coupled()) {
+    search_.emplace(state);
+    effects.prepare(state, state.time, executor);
+  }
   inverse_roots_.reserve(3 * model.particles());
   for (std::size_t i = 0; i < model.particles(); ++i) {
     inverse_roots_.insert(inverse_roots_.end(), 3, std::sqrt(double(model.inverse_mass[i])));
@@ -75,7 +80,7 @@ void ScaledStiffness<Real>::multiply_block(std::size_t block, std::span<const do
 }
 
 template <class Real>
-void ScaledStiffness<Real>::multiply(std::span<const double> in, std::span<double> out) const {
+void ScaledStiffness<Real>::multiply(std::span<const double> in, std::span<double> out) {
   std::fill(out.begin(), out.end(), 0.0);
   const Slots<Real>* const slots = slots_of(model_);
   const std::size_t blocks = block_count(state_.size());
@@ -88,6 +93,26 @@ void ScaledStiffness<Real>::multiply(std::span<const double> in, std::span<doubl
   } else {
     executor_.parallel_for(blocks, blocks_at_a_time, multiply_blocks);
   }
+  if (search_) add_coupled(in, out);
+}
+
+template <class Real>
+void ScaledStiffness<Real>::add_coupled(std::span<const double> in, std::span<double> out) {
+  State<Real>& search = *search_;
+  for (std::size_t i = 0; i < search.size(); ++i)
+    search.set_velocity(i, (inverse_roots_[3 * i] * at(in, i)).template cast<Real>());
+  effects_.prepare_products(search, executor_);
+  const auto add_strip = [&](std::size_t begin, std::size_t end) {
+    const Strip<Real> strip(search, begin, end);
+    StripForce<Real> product{};
+    effects_.add_products(strip, {Real(1), Real(0)}, Curvature::exact, product);
+    for (std::size_t lane = 0; lane < strip.particles; ++lane) {
+      const std::size_t i = strip.first + lane;
+      add(out, i, inverse_roots_[3 * i] * Vec3(product.x[lane], product.y[lane], product.z[lane]));
+    }
+  };
+  executor_.parallel_for(block_count(search.size()), blocks_at_a_time,
+                         [&](std::size_t begin, std::size_t end) { for_each_strip(begin, end, add_strip); });
 }
 
 template class ScaledStiffness<float>;

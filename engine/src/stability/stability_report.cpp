@@ -16,10 +16,10 @@ namespace {
 constexpr double wanted_margin = 0.04;
 
 template <class Real>
-void find_frequency(const StabilityParts& parts, const Model<Real>& model, const State<Real>& state,
-                    Executor& executor, Stability& stability) {
+void find_frequency(const StabilityParts& parts, const Model<Real>& model, EffectList<Real>& effects,
+                    const State<Real>& state, Executor& executor, Stability& stability) {
   if (parts.bounds.scene.frequency == 0.0) return;
-  const ScaledStiffness<Real> derivative(model, parts.grounds, state, executor);
+  ScaledStiffness<Real> derivative(model, parts.grounds, effects, state, executor);
   const LargestEigenvalue found = largest_eigenvalue([&](auto in, auto out) { derivative.multiply(in, out); },
                                                      derivative.inverse_roots(), wanted_margin, executor);
   // Where all directions buckle nothing swings.
@@ -55,7 +55,7 @@ StabilityParts::StabilityParts(const Scene& scene, const StepBounds& of_scene) :
 
 template <class Real>
 Stability report_stability(const StabilityParts& parts, const Settings& settings, const Model<Real>& model,
-                           const State<Real>& state, Executor& executor) {
+                           EffectList<Real>& effects, const State<Real>& state, Executor& executor) {
   Stability stability;
   stability.frequency_bound = parts.bounds.scene.frequency;
   stability.damping_bound = parts.bounds.scene.damping_rate;
@@ -67,14 +67,14 @@ Stability report_stability(const StabilityParts& parts, const Settings& settings
     const double longest = largest_stable_step(parts.bounds.scene, method);
     stability.methods.push_back({to_string(method), longest, needed_substeps(settings.step, longest)});
   }
-  find_frequency(parts, model, state, executor, stability);
+  find_frequency(parts, model, effects, state, executor, stability);
   return stability;
 }
 
 template Stability report_stability(const StabilityParts&, const Settings&, const Model<float>&,
-                                    const State<float>&, Executor&);
+                                    EffectList<float>&, const State<float>&, Executor&);
 template Stability report_stability(const StabilityParts&, const Settings&, const Model<double>&,
-                                    const State<double>&, Executor&);
+                                    EffectList<double>&, const State<double>&, Executor&);
 
 std::string Stability::text() const {
   std::string text = "highest frequency " + rounded(frequency_bound) + " /s at most, " + rounded(frequency) +

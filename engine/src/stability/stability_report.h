@@ -4,6 +4,7 @@
 
 #include <hooke/simulation.h>
 
+#include "effects/effect_list.h"
 #include "model/model.h"
 #include "stability/step_division.h"
 
@@ -20,6 +21,6 @@ struct StabilityParts {
 /// Simulation::stability() in a state.
 template <class Real>
 Stability report_stability(const StabilityParts& parts, const Settings& settings, const Model<Real>& model,
-                           const State<Real>& state, Executor& executor);
+                           EffectList<Real>& effects, const State<Real>& state, Executor& executor);
 
 }  // namespace hooke
