@@ -32,10 +32,14 @@ TEST_CASE("a force field has no coefficients, and a method with a tolerance has"
 }
 
 TEST_CASE("every coefficient that is a length, a force or the like has its unit") {
-  for (Effect effect : {Effect(Gravity{}), Effect(Drag{}), Effect(GroundPlane{})}) {
+  const auto has_no_unit = [](std::string_view name) {
+    return name == "normal" || name == "drag" || name == "lift";
+  };
+  for (Effect effect :
+       {Effect(Gravity{}), Effect(Drag{}), Effect(ParticleWind{}), Effect(Wind{}), Effect(GroundPlane{})}) {
     for (const Coefficient& one : coefficients_of(effect)) {
       CAPTURE(one.name);
-      CHECK(one.unit.empty() == (one.name == "normal"));
+      CHECK(one.unit.empty() == has_no_unit(one.name));
     }
   }
 }

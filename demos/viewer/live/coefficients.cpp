@@ -14,6 +14,8 @@ struct FieldUnit {
 constexpr std::array units{
     FieldUnit{Gravity::name, "acceleration", "m/s\u00b2"},
     FieldUnit{Drag::name, "coefficient", "N s/m"},
+    FieldUnit{ParticleWind::name, "coefficient", "N s/m"},
+    FieldUnit{Wind::name, "air_density", "kg/m\u00b3"},
     FieldUnit{GroundPlane::name, "height", "m"},
     FieldUnit{GroundPlane::name, "stiffness", "N/m"},
     FieldUnit{GroundPlane::name, "damping", "N s/m"},

@@ -77,7 +77,13 @@ struct ParticleWind {
 /// Wind on the scene's triangles. With w the velocity of the air against a triangle of area A, and n its unit
 /// normal on the side with n.w >= 0,
 ///   F = 1/2 rho A (n.w) (drag w + lift (|w| n - (n.w) w / |w|)),
-/// a third of it on each corner. It depends on velocities alone, and so not on the step.
+/// a third of it on each corner. The triangle is as it lies now, its velocity is the mean of its corners' and
+/// the air's is that at its centroid; a triangle without an area has no force. It depends on positions and
+/// velocities alone, and so not on the step.
+///
+/// The limit on the step counts the wind at its strongest, as far as that is known (of a callback: as it is
+/// at the start), and the scene's fastest particle at the start; cloth that moves faster against the air is
+/// held more stiffly than that limit says.
 struct Wind {
   FieldShape velocity = UniformField{};  ///< of the air [m/s]
   Envelope envelope = SteadyEnvelope{};  ///< of it
@@ -338,7 +344,7 @@ struct CustomEffect {
   static void fields(Self&, Visit&&) {}
 };
 
-using Effect = std::variant<Gravity, Drag, Field, GroundPlane, HingeBending, LaplacianBending, Pressure,
-                            Volume, CustomEffect>;
+using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
+                            LaplacianBending, Pressure, Volume, CustomEffect>;
 
 }  // namespace hooke

@@ -28,7 +28,8 @@ struct UniformField {
 };
 
 /// Away from a centre: strength r^exponent at the distance r = sqrt(d^2 + softening^2), along d / r. A
-/// negative strength pulls to the centre; exponent -2 is a mass or a charge, 1 a spring to the centre.
+/// negative strength pulls to the centre; exponent -2 is a mass or a charge, 1 a spring to the centre. Where
+/// r is 0 there is no direction, and the field is 0.
 struct RadialField {
   Vec3 centre{0.0, 0.0, 0.0};  ///< [m]
   double strength = 0.0;       ///< at a distance of 1 m
@@ -63,10 +64,11 @@ struct VortexField {
   }
 };
 
-/// The curl of seeded noise (Bridson, Houriham, Nordenstam 2007): it has no sources, and eddies of the
-/// given length and, for each further octave, of half the length and half the amplitude.
+/// A mean and the curl of seeded noise (Bridson, Houriham, Nordenstam 2007): it has no sources, and eddies of
+/// the given length and, for each further octave, of half the length and half the amplitude.
 struct TurbulenceField {
-  double amplitude = 1.0;     ///< root mean square of the first octave
+  Vec3 mean{0.0, 0.0, 0.0};   ///< that the eddies are added to
+  double amplitude = 1.0;     ///< root mean square of the first octave's magnitude, >= 0
   double length = 1.0;        ///< of eddies [m], > 0
   double duration = 1.0;      ///< of eddies [s], > 0; a half in each further octave
   Vec3 drift{0.0, 0.0, 0.0};  ///< [m/s] that the pattern moves with
@@ -76,6 +78,7 @@ struct TurbulenceField {
   static constexpr std::string_view name = "turbulence";
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
+    visit("mean", self.mean);
     visit("amplitude", self.amplitude);
     visit("length", self.length);
     visit("duration", self.duration);
@@ -121,7 +124,8 @@ struct CallbackField {
   static void fields(Self&, Visit&&) {}
 };
 
-using FieldShape = std::variant<UniformField, CallbackField>;
+using FieldShape =
+    std::variant<UniformField, RadialField, VortexField, TurbulenceField, GridField, CallbackField>;
 
 /// 1 at all times.
 struct SteadyEnvelope {
@@ -184,7 +188,7 @@ struct GustEnvelope {
   }
 };
 
-using Envelope = std::variant<SteadyEnvelope>;
+using Envelope = std::variant<SteadyEnvelope, RampEnvelope, SineEnvelope, GustEnvelope>;
 
 /// The value of a field at a place [m] and a time [s]: for tests, tools and drawing. Throws
 /// std::invalid_argument where a callback is not set.

@@ -16,6 +16,12 @@ EffectPointer<Real> compile_effect(const Drag&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const Field&, const EffectContext<Real>&);
 template <class Real>
+EffectPointer<Real> compile_effect(const ParticleWind&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Wind&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const ForceScript&, const EffectContext<Real>&);
+template <class Real>
 EffectPointer<Real> compile_effect(const GroundPlane&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const HingeBending&, const EffectContext<Real>&);
@@ -32,6 +38,9 @@ EffectPointer<Real> compile_effect(const CustomEffect&, const EffectContext<Real
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
 void check_effect(const Drag&, const Scene&, const ElementChecks&);
 void check_effect(const Field&, const Scene&, const ElementChecks&);
+void check_effect(const ParticleWind&, const Scene&, const ElementChecks&);
+void check_effect(const Wind&, const Scene&, const ElementChecks&);
+void check_effect(const ForceScript&, const Scene&, const ElementChecks&);
 void check_effect(const GroundPlane&, const Scene&, const ElementChecks&);
 void check_effect(const HingeBending&, const Scene&, const ElementChecks&);
 void check_effect(const LaplacianBending&, const Scene&, const ElementChecks&);
@@ -43,6 +52,9 @@ void check_effect(const CustomEffect&, const Scene&, const ElementChecks&);
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
 void add_bounds(const Drag&, const Scene&, HeldParticles&);
 void add_bounds(const Field&, const Scene&, HeldParticles&);
+void add_bounds(const ParticleWind&, const Scene&, HeldParticles&);
+void add_bounds(const Wind&, const Scene&, HeldParticles&);
+void add_bounds(const ForceScript&, const Scene&, HeldParticles&);
 void add_bounds(const GroundPlane&, const Scene&, HeldParticles&);
 void add_bounds(const HingeBending&, const Scene&, HeldParticles&);
 void add_bounds(const LaplacianBending&, const Scene&, HeldParticles&);
@@ -60,6 +72,12 @@ template <>
 inline constexpr bool does_unknown_work<Pressure> = true;  // gas may give more than it has at the start
 template <>
 inline constexpr bool does_unknown_work<CustomEffect> = true;
+template <>
+inline constexpr bool does_unknown_work<ParticleWind> = true;
+template <>
+inline constexpr bool does_unknown_work<Wind> = true;
+template <>
+inline constexpr bool does_unknown_work<ForceScript> = true;
 
 bool does_unknown_work_in(const Scene& scene);
 

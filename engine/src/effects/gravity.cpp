@@ -1,4 +1,5 @@
 #include "effects/effect_functions.h"
+#include "effects/masses_to_pull.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "effects/gravity.cpp"
@@ -60,7 +61,7 @@ template <class Real>
 class GravityForce final : public CompiledEffect<Real> {
  public:
   GravityForce(const Gravity& gravity, const EffectContext<Real>& context)
-      : g_(gravity.acceleration.cast<Real>()), mass_(masses_to_pull(context)) {}
+      : g_(gravity.acceleration.cast<Real>()), mass_(masses_to_pull(context.scene, context.model)) {}
 
   void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
     add_weight(strip, mass_, g_.data(), force);
@@ -80,14 +81,6 @@ class GravityForce final : public CompiledEffect<Real> {
   }
 
  private:
-  /// A pinned particle does not fall, and has no energy to give: without mass here it is left alone.
-  static BlockRows<Real> masses_to_pull(const EffectContext<Real>& context) {
-    const Model<Real>& model = context.model;
-    return BlockRows<Real>(model.particles(), [&](std::size_t i) {
-      return model.pinned(i) ? Real(0) : Real(context.scene.particles.mass[model.order.user(i)]);
-    });
-  }
-
   Eigen::Matrix<Real, 3, 1> g_;
   BlockRows<Real> mass_;  ///< [kg], 0 where pinned
 };

@@ -14,9 +14,11 @@ namespace {
 /// conjugate gradients, and a product costs about as much as an evaluation of forces: see docs/stability.md.
 constexpr double most_explicit_substeps = 200.0;
 
+/// Whether there is a force whose stiffness nobody knows: of a field that depends on the position.
 bool has_field(const Scene& scene) {
   for (const Effect& effect : scene.effects) {
-    if (std::holds_alternative<Field>(effect)) return true;
+    const auto* field = std::get_if<Field>(&effect);
+    if (field != nullptr && !std::holds_alternative<UniformField>(field->shape)) return true;
   }
   return false;
 }

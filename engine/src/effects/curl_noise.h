@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <hooke/fields.h>
+
+namespace hooke {
+
+/// The values of a TurbulenceField at one time: the curl of a vector potential, each component of which is
+/// gradient noise (Perlin 1985, with the quintic of 2002) on a lattice whose gradients change with time.
+/// Derivatives are those of the polynomials, so there are no sources to rounding.
+///
+/// It remembers the lattice cell that it was last asked for in each octave, as places that are asked for
+/// behind one another are mostly in one cell: one object for each thread.
+class CurlNoise {
+ public:
+  CurlNoise(const TurbulenceField& field, double time);
+
+  Vec3 operator()(const Vec3& position) const;
+
+ private:
+  static constexpr std::size_t most_octaves = 8;
+
+  using Corner = std::array<std::int64_t, 3>;
+
+  /// A cell's eight corners, x fastest: the gradients of the three components of the potential there.
+  struct Cell {
+    Corner lowest{};
+    bool known = false;
+    std::array<std::array<Vec3, 3>, 8> gradients;
+  };
+
+  struct Octave {
+    double scale = 0.0;           ///< of the curl on the lattice
+    double inverse_length = 0.0;  ///< [1/m]
+    double time = 0.0;            ///< in durations
+    std::uint64_t seed = 0;
+    Cell cell;
+  };
+
+  static Vec3 curl(Octave& octave, const Vec3& position);
+  static void fill(Octave& octave, const Corner& lowest);
+
+  Vec3 mean_, shift_;
+  std::size_t octaves_;
+  mutable std::array<Octave, most_octaves> octave_;
+};
+
+}  // namespace hooke

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "effects/effect_functions.h"
+#include "scene/number_text.h"
+
+namespace hooke {
+namespace {
+
+/// The force of a script at a time: none outside of its keyframes.
+Vec3 force_at(const std::vector<ForceKeyframe>& keyframes, double time) {
+  const auto after = std::upper_bound(keyframes.begin(), keyframes.end(), time,
+                                      [](double t, const ForceKeyframe& key) { return t < key.time; });
+  if (after == keyframes.begin()) return Vec3::Zero();
+  const ForceKeyframe& from = *(after - 1);
+  if (after == keyframes.end()) return time == from.time ? from.force : Vec3(Vec3::Zero());
+  return from.force + (time - from.time) / (after->time - from.time) * (after->force - from.force);
+}
+
+template <class Real>
+class ScriptedForce final : public CompiledEffect<Real> {
+ public:
+  ScriptedForce(const ForceScript& script, const Order& order) : keyframes_(script.keyframes) {
+    for (const Index particle : script.particles) particles_.push_back(Index(order.engine(particle)));
+    std::sort(particles_.begin(), particles_.end());
+  }
+
+  void add_force(const Strip<Real>& strip, double time, StripForce<Real>& force) const override {
+    auto particle = std::lower_bound(particles_.begin(), particles_.end(), strip.first);
+    const std::size_t end = strip.first + strip.particles;
+    if (particle == particles_.end() || *particle >= end) return;
+    const Eigen::Matrix<Real, 3, 1> f = force_at(keyframes_, time).cast<Real>();
+    for (; particle != particles_.end() && *particle < end; ++particle) {
+      const std::size_t lane = *particle - strip.first;
+      force.x[lane] += f.x();
+      force.y[lane] += f.y();
+      force.z[lane] += f.z();
+    }
+  }
+
+  Stage stage() const override {
+    return {std::string(ForceScript::name),
+            {},
+            {"time"},
+            {"force"},
+            particles_.capacity() * sizeof(Index) + keyframes_.capacity() * sizeof(ForceKeyframe)};
+  }
+
+ private:
+  std::vector<Index> particles_;  ///< in the engine's order, sorted
+  std::vector<ForceKeyframe> keyframes_;
+};
+
+void check_keyframes(const std::vector<ForceKeyframe>& keyframes, const ElementChecks& checks) {
+  double latest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < keyframes.size(); ++i) {
+    const std::string at = "keyframes[" + std::to_string(i) + "]";
+    const double time = keyframes[i].time;
+    checks.finite(at + ".time", time, "s");
+    checks.finite(at + ".force", keyframes[i].force, "N");
+    if (!std::isfinite(time)) continue;
+    if (time <= latest)
+      checks.add(
+          at + ".time is " + to_text(time) + " s, but an earlier keyframe has " + to_text(latest) + " s",
+          "give times that increase");
+    latest = std::max(latest, time);
+  }
+}
+
+}  // namespace
+
+template <class Real>
+EffectPointer<Real> compile_effect(const ForceScript& script, const EffectContext<Real>& context) {
+  return std::make_unique<ScriptedForce<Real>>(script, context.model.order);
+}
+
+template EffectPointer<float> compile_effect(const ForceScript&, const EffectContext<float>&);
+template EffectPointer<double> compile_effect(const ForceScript&, const EffectContext<double>&);
+
+void check_effect(const ForceScript& script, const Scene& scene, const ElementChecks& checks) {
+  std::vector<bool> named(scene.particles.size(), false);
+  for (std::size_t i = 0; i < script.particles.size(); ++i) {
+    const Index particle = script.particles[i];
+    const std::string at = "particles[" + std::to_string(i) + "]";
+    checks.in_range(at, particle, named.size(), "particles");
+    if (particle >= named.size()) continue;
+    if (named[particle])
+      checks.add(at + " is " + std::to_string(particle) + ", which is named before", "name it once");
+    named[particle] = true;
+  }
+  check_keyframes(script.keyframes, checks);
+}
+
+void add_bounds(const ForceScript&, const Scene&, HeldParticles&) {}
+
+}  // namespace hooke
