@@ -83,14 +83,17 @@ Vec3 CurlNoise::operator()(const Vec3& position) const {
   return sum;
 }
 
-void CurlNoise::fill(Octave& octave, const Corner& lowest) {
+auto CurlNoise::cell_at(Octave& octave, const Corner& lowest) -> const Cell& {
+  Cell& cell = octave.cells[std::size_t((lowest[0] & 1) | (lowest[1] & 1) << 1 | (lowest[2] & 1) << 2)];
+  if (cell.known && cell.lowest == lowest) return cell;
   for (std::size_t i = 0; i < 8; ++i) {
     const Corner corner{lowest[0] + std::int64_t(i & 1), lowest[1] + std::int64_t((i >> 1) & 1),
                         lowest[2] + std::int64_t(i >> 2)};
-    octave.cell.gradients[i] = gradients_at(octave.seed, corner, octave.time);
+    cell.gradients[i] = gradients_at(octave.seed, corner, octave.time);
   }
-  octave.cell.lowest = lowest;
-  octave.cell.known = true;
+  cell.lowest = lowest;
+  cell.known = true;
+  return cell;
 }
 
 /// Of the potential: the sum over corners of w G d, whose curl is w curl(G d) + grad(w) x G d.
@@ -100,14 +103,14 @@ Vec3 CurlNoise::curl(Octave& octave, const Vec3& position) {
   if (!(near && std::abs(octave.time) < furthest)) return 0.0 * position;
   const Vec3 floor(std::floor(place.x()), std::floor(place.y()), std::floor(place.z()));
   const Corner lowest{std::int64_t(floor.x()), std::int64_t(floor.y()), std::int64_t(floor.z())};
-  if (!octave.cell.known || octave.cell.lowest != lowest) fill(octave, lowest);
+  const Cell& cell = cell_at(octave, lowest);
 
   const Vec3 s = place - floor;
   const AxisWeights x(s.x()), y(s.y()), z(s.z());
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < 8; ++i) {
     const std::size_t a = i & 1, b = (i >> 1) & 1, c = i >> 2;
-    const auto& [gx, gy, gz] = octave.cell.gradients[i];
+    const auto& [gx, gy, gz] = cell.gradients[i];
     const Vec3 d = s - Vec3(double(a), double(b), double(c));
     const Vec3 own(gz.y() - gy.z(), gx.z() - gz.x(), gy.x() - gx.y());
     const Vec3 change(x.change[a] * y.weight[b] * z.weight[c], x.weight[a] * y.change[b] * z.weight[c],

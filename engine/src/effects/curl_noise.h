@@ -11,8 +11,8 @@ namespace hooke {
 /// gradient noise (Perlin 1985, with the quintic of 2002) on a lattice whose gradients change with time.
 /// Derivatives are those of the polynomials, so there are no sources to rounding.
 ///
-/// It remembers the lattice cell that it was last asked for in each octave, as places that are asked for
-/// behind one another are mostly in one cell: one object for each thread.
+/// It remembers some of the lattice cells that it was asked for, as places that are asked for behind one
+/// another are mostly in few of them: one object for each thread.
 class CurlNoise {
  public:
   CurlNoise(const TurbulenceField& field, double time);
@@ -36,11 +36,11 @@ class CurlNoise {
     double inverse_length = 0.0;  ///< [1/m]
     double time = 0.0;            ///< in durations
     std::uint64_t seed = 0;
-    Cell cell;
+    std::array<Cell, 8> cells;  ///< each at the place that the last bits of its coordinates say
   };
 
   static Vec3 curl(Octave& octave, const Vec3& position);
-  static void fill(Octave& octave, const Corner& lowest);
+  static const Cell& cell_at(Octave& octave, const Corner& lowest);
 
   Vec3 mean_, shift_;
   std::size_t octaves_;

@@ -8,13 +8,13 @@
 namespace hooke {
 namespace {
 
-/// The force of a script at a time: none outside of its keyframes.
+/// The force of a script at a time: none outside of its keyframes. At the last one's time it is over, so that
+/// a constant force gives its impulse also in steps that the keyframes' times are multiples of.
 Vec3 force_at(const std::vector<ForceKeyframe>& keyframes, double time) {
   const auto after = std::upper_bound(keyframes.begin(), keyframes.end(), time,
                                       [](double t, const ForceKeyframe& key) { return t < key.time; });
-  if (after == keyframes.begin()) return Vec3::Zero();
+  if (after == keyframes.begin() || after == keyframes.end()) return Vec3::Zero();
   const ForceKeyframe& from = *(after - 1);
-  if (after == keyframes.end()) return time == from.time ? from.force : Vec3(Vec3::Zero());
   return from.force + (time - from.time) / (after->time - from.time) * (after->force - from.force);
 }
 
