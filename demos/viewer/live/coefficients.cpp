@@ -17,6 +17,8 @@ constexpr std::array units{
     FieldUnit{GroundPlane::name, "height", "m"},
     FieldUnit{GroundPlane::name, "stiffness", "N/m"},
     FieldUnit{GroundPlane::name, "damping", "N s/m"},
+    FieldUnit{TensileTriangles::name, "modulus", "N/m"},
+    FieldUnit{TensileTriangles::name, "damping", "s"},
     FieldUnit{DormandPrince::name, "position_tolerance", "m"},
     FieldUnit{DormandPrince::name, "velocity_tolerance", "m/s"},
     FieldUnit{DormandPrince::name, "smallest_step", "s"},

@@ -19,6 +19,8 @@ template <class Real>
 EffectPointer<Real> compile_effect(const GroundPlane&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const LaplacianBending&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const TensileTriangles&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -26,6 +28,7 @@ void check_effect(const Drag&, const Scene&, const ElementChecks&);
 void check_effect(const Field&, const Scene&, const ElementChecks&);
 void check_effect(const GroundPlane&, const Scene&, const ElementChecks&);
 void check_effect(const LaplacianBending&, const Scene&, const ElementChecks&);
+void check_effect(const TensileTriangles&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -33,6 +36,7 @@ void add_bounds(const Drag&, const Scene&, HeldParticles&);
 void add_bounds(const Field&, const Scene&, HeldParticles&);
 void add_bounds(const GroundPlane&, const Scene&, HeldParticles&);
 void add_bounds(const LaplacianBending&, const Scene&, HeldParticles&);
+void add_bounds(const TensileTriangles&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
