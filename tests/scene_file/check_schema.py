@@ -36,6 +36,7 @@ def main():
         "unknown key": lambda s: s.update(colour="red"),
         "unknown field": lambda s: s["cloth_grid"].update(collumns=3),
         "negative stiffness": lambda s: s["cloth_grid"].update(stretch=-1),
+        "material without a modulus": lambda s: s["cloth_grid"].update(law={"tensile_sheet": {}}),
         "text for a number": lambda s: s.update(step="short"),
         "pin without a place": lambda s: s["pins"].append({"cloth_grid": 0}),
         "a function": lambda s: s["effects"].update(field={"shape": {"callback": {}}}),

@@ -33,7 +33,7 @@ std::vector<std::string> json_blocks(const std::string& page) {
 
 TEST_CASE("every example of docs/scenes.md is a scene") {
   const std::vector<std::string> blocks = json_blocks(scenes_page());
-  CHECK(blocks.size() == 3);
+  CHECK(blocks.size() == 4);
   for (const std::string& block : blocks) {
     CAPTURE(block);
     CHECK_NOTHROW(parse_scene(block));
@@ -59,5 +59,6 @@ TEST_CASE("docs/scenes.md names every key of builders, effects and methods") {
   for_each_alternative<Builder>(check);
   for_each_alternative<Effect>(check);
   for_each_alternative<Method>(check);
+  for_each_alternative<SheetLaw>(check);
   check(Placement{});
 }

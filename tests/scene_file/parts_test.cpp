@@ -64,6 +64,35 @@ TEST_CASE("every kind of value of a builder is read") {
   CHECK(file.scene.springs.damping == expected.springs.damping);
 }
 
+TEST_CASE("the law of a cloth is read, with its material") {
+  Scene expected;
+  add(expected,
+      ClothGrid{.columns = 3, .rows = 4, .law = CalibratedSprings{{.modulus = 60.0, .damping = 0.5}}});
+  add(expected,
+      ClothGrid{.columns = 3,
+                .rows = 4,
+                .law = TensileSheet{
+                    {.modulus = 60.0, .poisson_ratio = 0.25, .areal_density = 0.3, .damping = 0.5}}});
+  const SceneFile file = parse_scene(R"({"step": 1e-3, "cloth_grid": [
+    {"columns": 3, "rows": 4, "law": {"calibrated_springs": {"modulus": 60, "damping": 0.5}}},
+    {"columns": 3, "rows": 4, "law": {"tensile_sheet": {"modulus": 60, "poisson_ratio": 0.25,
+                                                        "areal_density": 0.3, "damping": 0.5}}}]})");
+  CHECK(file.scene.particles.mass == expected.particles.mass);
+  CHECK(file.scene.springs.stiffness == expected.springs.stiffness);
+  CHECK(file.scene.springs.damping == expected.springs.damping);
+  REQUIRE(file.scene.effects.size() == 1);
+  const auto& effect = std::get<TensileTriangles>(file.scene.effects[0]);
+  CHECK(effect.modulus == 60.0);
+  CHECK(effect.poisson_ratio == 0.25);
+  CHECK(effect.damping == 0.5);
+  CHECK(effect.triangles == std::get<TensileTriangles>(expected.effects[0]).triangles);
+  const SceneFile again = parse_scene(write_scene(file));
+  CHECK(std::get<TensileTriangles>(again.scene.effects[0]).triangles == effect.triangles);
+  CHECK(contains(fault_of(R"({"step": 1, "cloth_grid": {"law": {"tensile_sheet": {}}}})"),
+                 "law.modulus is 0 N/m; give a finite value > 0"));
+  CHECK(contains(fault_of(R"({"step": 1, "cloth_grid": {"law": {"tensile_shet": {}}}})"), "tensile_sheet"));
+}
+
 TEST_CASE("pins name particles in five ways") {
   CHECK(pinned(parse_scene(parts_with(R"("pins": [{"particle": 0}])"))) == std::vector<Index>{0});
   CHECK(pinned(parse_scene(parts_with(R"("pins": [{"cloth_grid": 0, "at": [3, 2]}])"))) ==

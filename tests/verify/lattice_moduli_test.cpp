@@ -168,3 +168,63 @@ TEST_CASE("a sheet that is pulled at two ends comes to rest stretched by stress 
   MESSAGE("strain " << stretch << ": E " << stress_at_ends / stretch << " N/m (" << young << "), nu "
                     << narrowing / stretch);
 }
+
+namespace {
+
+Moduli moduli_of(double young, double poisson) {
+  const double c11 = young / (1.0 - poisson * poisson);
+  return {c11, poisson * c11, young / (2.0 * (1.0 + poisson))};
+}
+
+/// A grid of a builder, with its rows going up.
+Sheet built_grid(Index columns, Index rows, double spacing, const SheetLaw& law) {
+  Sheet sheet;
+  add(sheet.scene, ClothGrid{.columns = columns,
+                             .rows = rows,
+                             .spacing = spacing,
+                             .law = law,
+                             .placement = {.rotation_axis = {1, 0, 0}, .rotation_degrees = 180}});
+  sheet.width = spacing * (columns - 1);
+  sheet.height = spacing * (rows - 1);
+  return sheet;
+}
+
+/// The places of triangular(), with triangles in place of springs.
+Sheet built_triangles(int columns, int rows, double a, const SheetLaw& law) {
+  ClothMesh mesh{.law = law};
+  mesh.vertices = triangular(columns, rows, a, 1.0).scene.particles.position;
+  for (int j = 0; j + 1 < rows; ++j) {
+    for (int i = 0; i + 1 < columns; ++i) {
+      const Index p = Index(j * columns + i), up = p + Index(columns);
+      if (j % 2 == 0) {
+        mesh.triangles.insert(mesh.triangles.end(), {{p, p + 1, up}, {p + 1, up + 1, up}});
+      } else {
+        mesh.triangles.insert(mesh.triangles.end(), {{p, p + 1, up + 1}, {p, up + 1, up}});
+      }
+    }
+  }
+  Sheet sheet;
+  add(sheet.scene, mesh);
+  sheet.width = a * (columns - 1);
+  sheet.height = std::sqrt(0.75) * a * (rows - 1);
+  return sheet;
+}
+
+}  // namespace
+
+TEST_CASE("builders that are given a material make sheets of its moduli, however fine") {
+  const double third = 1.0 / 3.0, young = 300.0;
+  for (const Index n : {4u, 9u, 30u}) {
+    CAPTURE(n);
+    check_moduli("calibrated grid", built_grid(n, n + 1, 1.0 / n, CalibratedSprings{{young, third}}),
+                 moduli_of(young, third));
+    check_moduli("calibrated triangles",
+                 built_triangles(int(n), int(n) + 1, 1.0 / n, CalibratedSprings{{young, third}}),
+                 moduli_of(young, third));
+    for (const double nu : {-0.3, 0.0, 0.243, 0.49}) {
+      CAPTURE(nu);
+      check_moduli("tensile grid", built_grid(n, n + 1, 1.0 / n, TensileSheet{{young, nu}}),
+                   moduli_of(young, nu));
+    }
+  }
+}

@@ -24,6 +24,8 @@ constexpr std::array units{
     FieldUnit{Volume::name, "bulk_modulus", "Pa"},
     FieldUnit{HingeBending::name, "stiffness", "N m"},
     FieldUnit{HingeBending::name, "damping", "s"},
+    FieldUnit{TensileTriangles::name, "modulus", "N/m"},
+    FieldUnit{TensileTriangles::name, "damping", "s"},
     FieldUnit{DormandPrince::name, "position_tolerance", "m"},
     FieldUnit{DormandPrince::name, "velocity_tolerance", "m/s"},
     FieldUnit{DormandPrince::name, "smallest_step", "s"},

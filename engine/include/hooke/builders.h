@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include <hooke/materials.h>
 #include <hooke/scene.h>
 
 /// Builders: each adds particles, springs and triangles to a scene and returns the numbers of what it added.
@@ -31,7 +32,8 @@ struct Placement {
 /// A hanging cloth of columns x rows particles in the x-y plane: columns go along +x, rows go down along -y,
 /// particle (0, 0) is at the origin. Springs as in Provot 1995: structural (to the 4 neighbours), shear
 /// (diagonals), bend (to the second neighbour). Each particle's mass is its share of the area, so the cloth's
-/// mass does not depend on the resolution.
+/// mass does not depend on the resolution. With another law than naive springs its material counts in place
+/// of areal_density, stretch, shear, bend and damping; bending is left to the scene's effects.
 struct ClothGrid {
   Index columns = 32;          ///< particles along x, >= 2
   Index rows = 32;             ///< particles along y, >= 2
@@ -41,6 +43,7 @@ struct ClothGrid {
   double shear = 500.0;        ///< stiffness of shear springs [N/m]
   double bend = 10.0;          ///< stiffness of bend springs [N/m]
   double damping = 0.0;        ///< along every spring [N s/m]
+  SheetLaw law = NaiveSprings{};
   Placement placement = {};
 
   static constexpr std::string_view name = "cloth_grid";
@@ -54,6 +57,7 @@ struct ClothGrid {
     visit("shear", self.shear);
     visit("bend", self.bend);
     visit("damping", self.damping);
+    visit("law", self.law);
     visit("placement", self.placement);
   }
 };
@@ -69,7 +73,8 @@ GridParticles add(Scene& scene, const ClothGrid& cloth);
 /// A cloth from a triangle mesh: each edge becomes a structural spring, the corners of two triangles opposite
 /// a shared edge a bend spring (an edge of more than two triangles, each pair of them). A third of each
 /// triangle's mass goes to each corner. Vertices closer than `weld_tolerance` become one particle, so a seam
-/// holds.
+/// holds. With another law than naive springs its material counts in place of areal_density, stretch, bend
+/// and damping, and has no bending stiffness: name HingeBending among the scene's effects.
 struct ClothMesh {
   std::vector<Vec3> vertices = {};       ///< [m]
   std::vector<Triangle> triangles = {};  ///< into `vertices`
@@ -77,7 +82,8 @@ struct ClothMesh {
   double stretch = 1e3;                  ///< stiffness of edge springs [N/m]
   double bend = 10.0;                    ///< stiffness of bend springs [N/m]
   double damping = 0.0;                  ///< along every spring [N s/m]
-  double weld_tolerance = 1e-6;          ///< [m] in the mesh's own size, >= 0
+  SheetLaw law = NaiveSprings{};
+  double weld_tolerance = 1e-6;  ///< [m] in the mesh's own size, >= 0
   Placement placement = {};
 
   static constexpr std::string_view name = "cloth_mesh";
@@ -87,6 +93,7 @@ struct ClothMesh {
     visit("stretch", self.stretch);
     visit("bend", self.bend);
     visit("damping", self.damping);
+    visit("law", self.law);
     visit("weld_tolerance", self.weld_tolerance);
     visit("placement", self.placement);
   }

@@ -174,13 +174,17 @@ struct LaplacianBending {
   }
 };
 
-/// An elastic sheet of the scene's triangles whatever their shape: tensile biquadratic springs along the
-/// edges and their couplings (Delingette 2008), which are the finite elements of St. Venant and Kirchhoff.
-/// Triangles are at rest as they lie at the start.
+/// An elastic sheet of triangles of any shape: tensile biquadratic springs along their edges and the
+/// couplings of these (Delingette 2008), which are the finite elements of St. Venant and Kirchhoff. With l an
+/// edge's length, L that of the start, a the angle opposite and A the area of the start, of each triangle
+///   E = sum over edges of k_i/4 (l_i^2 - L_i^2)^2 + sum over pairs of c_ij/2 (l_i^2 - L_i^2)(l_j^2 - L_j^2),
+///   k_i = (2 p cot^2 a_i + m) / 16A, c_ij = (2 p cot a_i cot a_j - m) / 16A,
+/// where p = E / (1 - nu^2), m = E / (1 + nu). Triangles are at rest as they lie at the start.
 struct TensileTriangles {
-  double modulus = 0.0;        ///< E of the sheet [N/m], >= 0
-  double poisson_ratio = 0.3;  ///< [1], > -1 and < 1
-  double damping = 0.0;        ///< of the rate of strain, over the stiffness [s], >= 0
+  double modulus = 0.0;               ///< E of the sheet: Young's modulus times thickness [N/m], >= 0
+  double poisson_ratio = 0.3;         ///< nu [1], > -1 and < 1
+  double damping = 0.0;               ///< of the rate of strain, over the stiffness [s], >= 0
+  std::vector<Index> triangles = {};  ///< of the scene, with an area at the start; none: all of these
 
   static constexpr std::string_view name = "tensile_triangles";
   template <class Self, class Visit>
@@ -188,6 +192,7 @@ struct TensileTriangles {
     visit("modulus", self.modulus);
     visit("poisson_ratio", self.poisson_ratio);
     visit("damping", self.damping);
+    visit("triangles", self.triangles);
   }
 };
 
@@ -345,6 +350,6 @@ struct CustomEffect {
 };
 
 using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
-                            LaplacianBending, Pressure, Volume, CustomEffect>;
+                            LaplacianBending, TensileTriangles, Pressure, Volume, CustomEffect>;
 
 }  // namespace hooke

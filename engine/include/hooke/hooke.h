@@ -10,6 +10,7 @@
 #include <hooke/clock.h>
 #include <hooke/effects.h>
 #include <hooke/executor.h>
+#include <hooke/materials.h>
 #include <hooke/methods.h>
 #include <hooke/report.h>
 #include <hooke/scene.h>

@@ -33,6 +33,8 @@ template <class Real>
 EffectPointer<Real> compile_effect(const Volume&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const CustomEffect&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const TensileTriangles&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -47,6 +49,7 @@ void check_effect(const LaplacianBending&, const Scene&, const ElementChecks&);
 void check_effect(const Pressure&, const Scene&, const ElementChecks&);
 void check_effect(const Volume&, const Scene&, const ElementChecks&);
 void check_effect(const CustomEffect&, const Scene&, const ElementChecks&);
+void check_effect(const TensileTriangles&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -61,6 +64,7 @@ void add_bounds(const LaplacianBending&, const Scene&, HeldParticles&);
 void add_bounds(const Pressure&, const Scene&, HeldParticles&);
 void add_bounds(const Volume&, const Scene&, HeldParticles&);
 void add_bounds(const CustomEffect&, const Scene&, HeldParticles&);
+void add_bounds(const TensileTriangles&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.

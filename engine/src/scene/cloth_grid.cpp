@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -5,7 +6,9 @@
 
 #include "scene/element_checks.h"
 #include "scene/lattice.h"
+#include "scene/number_text.h"
 #include "scene/placement.h"
+#include "scene/sheet_law.h"
 
 namespace hooke {
 namespace {
@@ -21,11 +24,33 @@ void require_good(const ClothGrid& cloth) {
   checks.not_negative("shear", cloth.shear, "N/m");
   checks.not_negative("bend", cloth.bend, "N/m");
   checks.not_negative("damping", cloth.damping, "N s/m");
+  check_law(checks, cloth.law);
+  if (const auto* springs = std::get_if<CalibratedSprings>(&cloth.law)) {
+    const double nu = springs->sheet.poisson_ratio;
+    if (std::abs(nu - 1.0 / 3.0) > 1e-3)
+      checks.add("law.poisson_ratio is " + to_text(nu) + ", and that of a square grid of springs is 1/3",
+                 "give 1/3, or the law tensile_sheet");
+  }
   check_placement(checks, cloth.placement);
   throw_if_any(std::move(faults));
 }
 
+/// The springs of a law: stretch along rows and columns, shear along diagonals, bend to second neighbours.
+struct GridSprings {
+  double stretch, shear, bend, damping, damping_over_stiffness;
+};
+
+GridSprings springs_of(const ClothGrid& cloth) {
+  if (std::holds_alternative<TensileSheet>(cloth.law)) return {};
+  if (const auto* springs = std::get_if<CalibratedSprings>(&cloth.law)) {
+    const double modulus = springs->sheet.modulus;
+    return {0.75 * modulus, 0.375 * modulus, 0.0, 0.0, springs->sheet.damping};
+  }
+  return {cloth.stretch, cloth.shear, cloth.bend, cloth.damping, 0.0};
+}
+
 Lattice lattice_of(const ClothGrid& cloth) {
+  const auto [stretch, shear, bend, damping, damping_over_stiffness] = springs_of(cloth);
   const Eigen::Affine3d place = to_transform(cloth.placement);
   const double cell = cloth.spacing * cloth.placement.scale;
   const double diagonal = std::numbers::sqrt2 * cell;
@@ -33,14 +58,16 @@ Lattice lattice_of(const ClothGrid& cloth) {
           .origin = place.translation(),
           .step = {place.linear() * Vec3(cloth.spacing, 0.0, 0.0),
                    place.linear() * Vec3(0.0, -cloth.spacing, 0.0), Vec3::Zero()},
-          .cell_mass = cloth.areal_density * cell * cell,
-          .springs = {{{1, 0, 0}, cloth.stretch, cell},
-                      {{0, 1, 0}, cloth.stretch, cell},
-                      {{1, 1, 0}, cloth.shear, diagonal},
-                      {{-1, 1, 0}, cloth.shear, diagonal},
-                      {{2, 0, 0}, cloth.bend, 2.0 * cell},
-                      {{0, 2, 0}, cloth.bend, 2.0 * cell}},
-          .damping = cloth.damping};
+          .cell_mass = areal_density_of(cloth) * cell * cell,
+          .springs = {{{1, 0, 0}, stretch, cell},
+                      {{0, 1, 0}, stretch, cell},
+                      {{1, 1, 0}, shear, diagonal},
+                      {{-1, 1, 0}, shear, diagonal},
+                      {{2, 0, 0}, bend, 2.0 * cell},
+                      {{0, 2, 0}, bend, 2.0 * cell}},
+          .damping = damping,
+          .damping_over_stiffness = damping_over_stiffness,
+          .springs_of_cells = std::holds_alternative<CalibratedSprings>(cloth.law)};
 }
 
 /// Two for each cell, counter-clockwise seen from +z.
@@ -64,7 +91,9 @@ GridParticles add(Scene& scene, const ClothGrid& cloth) {
   const Lattice lattice = lattice_of(cloth);
   make_room(scene, ClothGrid::name, lattice, 2.0 * (cloth.columns - 1.0) * (cloth.rows - 1.0));
   const GridParticles grid{add_lattice(scene, lattice), cloth.columns, cloth.rows};
+  const std::size_t first_triangle = scene.triangles.size();
   add_triangles(scene, grid);
+  add_tensile_sheet(scene, cloth.law, first_triangle);
   return grid;
 }
 

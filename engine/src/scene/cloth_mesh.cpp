@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <hooke/builders.h>
@@ -6,6 +7,8 @@
 #include "scene/mesh_edges.h"
 #include "scene/placement.h"
 #include "scene/room.h"
+#include "scene/sheet_law.h"
+#include "scene/van_gelder.h"
 #include "scene/welded_mesh.h"
 
 namespace hooke {
@@ -30,6 +33,7 @@ void require_good(const ClothMesh& cloth) {
   checks.not_negative("bend", cloth.bend, "N/m");
   checks.not_negative("damping", cloth.damping, "N s/m");
   checks.not_negative("weld_tolerance", cloth.weld_tolerance, "m");
+  check_law(checks, cloth.law);
   check_placement(checks, cloth.placement);
   check_room(faults, ClothMesh::name, {}, {.particles = static_cast<double>(cloth.vertices.size())});
   for (std::size_t i = 0; i < cloth.vertices.size(); ++i) {
@@ -42,10 +46,10 @@ void require_good(const ClothMesh& cloth) {
 /// What a mesh adds to a scene, worked out before the scene is touched.
 struct Parts {
   WeldedMesh mesh;
-  std::vector<Vec3> positions;  // [m] of each particle
-  std::vector<double> masses;   // [kg] of each particle
-  std::vector<Edge> edges;      // springs between neighbours
-  std::vector<Edge> opposite;   // springs across edges
+  std::vector<Vec3> positions;       // [m] of each particle
+  std::vector<double> masses;        // [kg] of each particle
+  std::vector<MeshSpring> edges;     // between neighbours
+  std::vector<MeshSpring> opposite;  // across edges
 };
 
 void place_particles(const ClothMesh& cloth, Parts& parts) {
@@ -55,19 +59,35 @@ void place_particles(const ClothMesh& cloth, Parts& parts) {
   for (const Index vertex : parts.mesh.vertices) parts.positions.push_back(place * cloth.vertices[vertex]);
   parts.masses.assign(parts.mesh.vertices.size(), 0.0);
   for (std::size_t i = 0; i < parts.mesh.triangles.size(); ++i) {
-    const double third = cloth.areal_density * scale * scale * parts.mesh.areas[i] / 3.0;
+    const double third = areal_density_of(cloth) * scale * scale * parts.mesh.areas[i] / 3.0;
     for (const Index corner : parts.mesh.triangles[i]) parts.masses[corner] += third;
   }
+}
+
+/// The same spring for each pair.
+std::vector<MeshSpring> equal_springs(const std::vector<Edge>& pairs, double stiffness, double damping) {
+  std::vector<MeshSpring> springs;
+  if (stiffness == 0.0) return springs;
+  springs.reserve(pairs.size());
+  for (const Edge& pair : pairs) springs.push_back({pair, stiffness, damping});
+  return springs;
+}
+
+void add_naive_springs(const ClothMesh& cloth, Parts& parts) {
+  const std::vector<Side> sides = sides_of(parts.mesh.triangles);
+  const std::vector<Edge> edges = edges_of(sides);
+  parts.edges = equal_springs(edges, cloth.stretch, cloth.damping);
+  if (cloth.bend > 0.0)
+    parts.opposite = equal_springs(opposite_corners(sides, edges), cloth.bend, cloth.damping);
 }
 
 Parts parts_of(const ClothMesh& cloth) {
   Parts parts;
   parts.mesh = weld_mesh(cloth);
   place_particles(cloth, parts);
-  const std::vector<Side> sides = sides_of(parts.mesh.triangles);
-  std::vector<Edge> edges = edges_of(sides);
-  if (cloth.bend > 0.0) parts.opposite = opposite_corners(sides, edges);
-  if (cloth.stretch > 0.0) parts.edges = std::move(edges);
+  if (std::holds_alternative<NaiveSprings>(cloth.law)) add_naive_springs(cloth, parts);
+  if (const auto* springs = std::get_if<CalibratedSprings>(&cloth.law))
+    parts.edges = van_gelder_springs(parts.mesh.triangles, parts.positions, springs->sheet);
   return parts;
 }
 
@@ -94,13 +114,19 @@ void require_good(const Scene& scene, const Parts& parts) {
   throw_if_any(std::move(faults));
 }
 
-void add_springs(Scene& scene, Index first, const std::vector<Edge>& pairs, double stiffness,
-                 double damping) {
+void add_springs(Scene& scene, Index first, const std::vector<MeshSpring>& springs) {
   const auto& position = scene.particles.position;
-  for (const auto& [a, b] : pairs) {
+  for (const auto& [ends, stiffness, damping] : springs) {
+    const auto [a, b] = ends;
     const double distance = (position[first + b] - position[first + a]).norm();
     scene.add_spring(first + a, first + b, stiffness, distance, damping);
   }
+}
+
+/// Not where all are zero.
+bool has_dampers(const Parts& parts) {
+  const auto damped = [](const MeshSpring& spring) { return spring.damping > 0.0; };
+  return std::ranges::any_of(parts.edges, damped) || std::ranges::any_of(parts.opposite, damped);
 }
 
 }  // namespace
@@ -109,15 +135,17 @@ MeshParticles add(Scene& scene, const ClothMesh& cloth) {
   require_good(cloth);
   Parts parts = parts_of(cloth);
   require_good(scene, parts);
-  reserve_room(scene, counts_of(parts), cloth.damping > 0.0);
+  reserve_room(scene, counts_of(parts), has_dampers(parts));
 
   const auto first = static_cast<Index>(scene.particles.size());
   for (std::size_t i = 0; i < parts.positions.size(); ++i)
     scene.add_particle(parts.masses[i], parts.positions[i]);
-  add_springs(scene, first, parts.edges, cloth.stretch, cloth.damping);
-  add_springs(scene, first, parts.opposite, cloth.bend, cloth.damping);
+  add_springs(scene, first, parts.edges);
+  add_springs(scene, first, parts.opposite);
+  const std::size_t first_triangle = scene.triangles.size();
   for (const auto& [a, b, c] : parts.mesh.triangles)
     scene.triangles.push_back({first + a, first + b, first + c});
+  add_tensile_sheet(scene, cloth.law, first_triangle);
 
   MeshParticles particles = std::move(parts.mesh.particles);
   particles.first = first;

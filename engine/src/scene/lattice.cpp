@@ -53,6 +53,16 @@ void add_particles(Scene& scene, const Lattice& lattice) {
   }
 }
 
+/// How many of the cells around a spring there are.
+double spring_share(const Lattice& lattice, const std::array<int, 3>& offset,
+                    const std::array<Index, 3>& place) {
+  double part = 1.0;
+  for (std::size_t axis = 0; axis < 3 && lattice.springs_of_cells; ++axis) {
+    if (offset[axis] == 0) part *= share(place[axis], lattice.size[axis]);
+  }
+  return part;
+}
+
 void add_springs_of(Scene& scene, const Lattice& lattice, Index first, const std::array<Index, 3>& place) {
   const Index from = first + lattice.number(place[0], place[1], place[2]);
   for (const auto& [offset, stiffness, rest_length] : lattice.springs) {
@@ -66,7 +76,9 @@ void add_springs_of(Scene& scene, const Lattice& lattice, Index first, const std
     if (!inside) continue;
     const Index second =
         lattice.number(static_cast<Index>(to[0]), static_cast<Index>(to[1]), static_cast<Index>(to[2]));
-    scene.add_spring(from, first + second, stiffness, rest_length, lattice.damping);
+    const double own = stiffness * spring_share(lattice, offset, place);
+    scene.add_spring(from, first + second, own, rest_length,
+                     lattice.damping + lattice.damping_over_stiffness * own);
   }
 }
 
@@ -83,7 +95,7 @@ void make_room(Scene& scene, std::string_view builder, const Lattice& lattice, d
   checks.finite("position of the last particle", position_of(lattice, size[0] - 1, size[1] - 1, size[2] - 1),
                 "m");
   throw_if_any(std::move(faults));
-  reserve_room(scene, counts, lattice.damping > 0.0);
+  reserve_room(scene, counts, lattice.damping > 0.0 || lattice.damping_over_stiffness > 0.0);
 }
 
 Index add_lattice(Scene& scene, const Lattice& lattice) {

@@ -23,7 +23,11 @@ struct Lattice {
   std::array<Vec3, 3> step;   ///< [m] from a particle to the next along each axis
   double cell_mass;           ///< [kg] of what lies between neighbours; particles at an end get half
   std::vector<LatticeSpring> springs;
-  double damping;  ///< of every spring [N s/m]
+  double damping;                       ///< of every spring [N s/m]
+  double damping_over_stiffness = 0.0;  ///< [s], added to it
+  /// Springs are shared by the cells around them: along the rim they have a half, along an edge of a box a
+  /// quarter.
+  bool springs_of_cells = false;
 
   /// Number of the particle at (i, j, k), the first being 0.
   Index number(Index i, Index j, Index k) const { return (k * size[1] + j) * size[0] + i; }
