@@ -17,6 +17,7 @@ constexpr std::array units{
     FieldUnit{GroundPlane::name, "height", "m"},
     FieldUnit{GroundPlane::name, "stiffness", "N/m"},
     FieldUnit{GroundPlane::name, "damping", "N s/m"},
+    FieldUnit{Plasticity::name, "rate", "1/s"},
     FieldUnit{DormandPrince::name, "position_tolerance", "m"},
     FieldUnit{DormandPrince::name, "velocity_tolerance", "m/s"},
     FieldUnit{DormandPrince::name, "smallest_step", "s"},
