@@ -22,7 +22,7 @@ std::string percent(double share) {
 
 template <class Real>
 Forces<Real>::Forces(const Scene& scene, const Model<Real>& model)
-    : springs_(model.springs),
+    : springs_(model.linear_springs),
       slots_(slots_of(model)),
       batches_(std::get_if<SpringBatches<Real>>(&model.spring_layout)),
       sums_(batches_ != nullptr ? model.particles() : 0, batches_ != nullptr && slots_->any_indexed()),

@@ -61,8 +61,8 @@ class Forces {
   Stage spring_stage() const;  ///< the springs, of which there must be some
   void scatter(const State<Real>& state, Executor& executor);
 
-  std::size_t springs_ = 0;
-  const Slots<Real>* slots_ = nullptr;            ///< of all springs; null where there are none
+  std::size_t springs_ = 0;                       ///< in the slots
+  const Slots<Real>* slots_ = nullptr;            ///< null where there are no springs but cables
   const SpringBatches<Real>* batches_ = nullptr;  ///< of the modes that scatter, else null
   ForceSums<Real> sums_;
   EffectList<Real> effects_;

@@ -62,6 +62,10 @@ std::string Report::message() const {
     out << "by step " << step << " (time " << time << " s) a step's equations were not solved to the "
         << "tolerance: the last iteration still moved particles by " << residual
         << " of the scene's size; allow more iterations, a larger tolerance or use double precision";
+  } else if (flags & flag_limit_not_met) {
+    out << "by step " << step << " (time " << time << " s) " << springs_over_limit
+        << " springs were longer than the strain limit allows after all its sweeps, with strains of up to "
+        << largest_strain << "; allow more sweeps or a larger limit, or bring pins closer together";
   } else if (flags & flag_steps_dropped) {
     out << "the frame asked for more steps than the cap; " << dropped_seconds
         << " s were dropped; raise max_steps_per_advance or use a larger step";

@@ -217,6 +217,7 @@ Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
   if ((report.flags & flag_restored) == 0) report.step = steps + (report.ok() ? 0 : 1);
   report.time = states.now().time;
   report.sweeps = times;
+  forces.effects().tell(report);
   return report;
 }
 

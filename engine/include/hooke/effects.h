@@ -197,7 +197,8 @@ struct TensileTriangles {
 };
 
 /// Springs that pull and never push. They are springs of the scene; while they are named here, the scene's
-/// law for them holds only where they are longer than at rest. Their dampers too brake only there.
+/// law for them holds only where they are longer than at rest: with k, c and l0 of the spring
+///   T = max(0, k (l - l0) + c dl/dt) where l > l0, else 0.
 struct Cables {
   std::vector<Index> springs = {};
 
@@ -209,7 +210,9 @@ struct Cables {
 };
 
 /// Springs that stiffen: to the scene's force k l0 s of a spring, s = (l - l0) / l0, is added
-///   k l0 (quadratic |s| s + cubic s^3).
+///   k l0 (quadratic |s| s + cubic s^3),
+/// whose energy is k l0^2 (quadratic |s|^3 / 3 + cubic s^4 / 4). Steps are judged for strains up to a
+/// quarter, or those of the start where these are larger.
 struct StiffeningSprings {
   double quadratic = 0.0;           ///< [1], >= 0
   double cubic = 0.0;               ///< [1], >= 0
@@ -225,12 +228,13 @@ struct StiffeningSprings {
 };
 
 /// Springs whose rest length creeps where they are strained beyond a yield strain (Bingham):
-/// d(l0)/dt = rate (|e| - yield) sign(e) l0, with e the elastic strain (l - l0(t)) / l0(0), up to a largest
-/// change.
+///   d(l0)/dt = rate (|e| - yield) sign(e) l0(0)
+/// with e = (l - l0(t)) / l0(0) the elastic strain, up to a largest change. A spring that is held at one
+/// length relaxes as exp(-rate t); one under a constant force creeps evenly.
 struct Plasticity {
   double yield = 0.1;               ///< strain [1], >= 0
   double rate = 0.0;                ///< [1/s], >= 0
-  double largest = 1.0;             ///< of |l0(t) - l0(0)| / l0(0) [1], >= 0 and < 1 for what is pressed
+  double largest = 0.5;             ///< of |l0(t) - l0(0)| / l0(0) [1], >= 0 and < 1
   std::vector<Index> springs = {};  ///< of the scene, with rest lengths > 0; none: all of these
 
   static constexpr std::string_view name = "plasticity";
@@ -243,9 +247,16 @@ struct Plasticity {
   }
 };
 
-/// A limit on the strain of springs, kept after each step by moving the ends of those that exceed it back
-/// along the spring, the lighter end more (Provot 1995), sweep after sweep until all keep it. Velocities get
-/// what moved the positions over the step, so momentum is kept.
+/// A limit on the strain of springs, kept after each step (Provot 1995, "Deformation constraints in a
+/// mass-spring model to describe rigid cloth behavior"): the ends of what is too long are moved back along
+/// the spring, the lighter end more, pinned ones not at all, sweep after sweep until no spring exceeds the
+/// limit by more than 1e-6 and what positions are rounded to. Sweeps overshoot and take back what was too
+/// much, so that they end near the state that keeps the limit and lies nearest in the mean by mass, whatever
+/// their order.
+///
+/// Momentum is kept: velocities change by the move over the step, or by the share of it after which there is
+/// the least kinetic energy. So a limit never adds kinetic energy, but where pins move: there the whole
+/// change is made if the step began within the limit.
 struct StrainLimit {
   double limit = 0.1;               ///< of (l - l0) / l0 [1], >= 0
   std::uint64_t sweeps = 1000;      ///< at most, >= 1; a report tells where these did not suffice
@@ -261,8 +272,8 @@ struct StrainLimit {
 };
 
 /// Long-range attachments (Kim, Chentanez, Mueller 2012): no particle gets further from the pin that is
-/// nearest to it along the scene's springs than the way there, times 1 + slack. Kept after each step; what
-/// moves outwards there loses that velocity.
+/// nearest to it along the scene's springs at rest than the way there, times 1 + slack. Kept after each step:
+/// what is further is put back on a straight line, and what moves away from its pin there loses that speed.
 struct Tethers {
   double slack = 0.0;                 ///< [1], >= 0
   std::vector<Index> particles = {};  ///< that are held; none: all that springs join to a pin
@@ -276,10 +287,11 @@ struct Tethers {
 };
 
 /// Moves particles along a path while the path lasts, from its first keyframe to its last, and lets go of
-/// them then. A particle that is to be held all the time is better pinned, with or without a path.
+/// them then, with the velocity that they have on it. Forces on them do nothing meanwhile. A particle that is
+/// to be held all the time is better pinned, with or without a path.
 struct MotionScript {
   std::vector<Index> particles = {};
-  std::vector<Keyframe> path = {};  ///< displacements from where a particle is at the first keyframe's time
+  std::vector<Keyframe> path = {};  ///< displacements from where a particle is in the scene, as of pins
 
   static constexpr std::string_view name = "motion_script";
   template <class Self, class Visit>
@@ -350,6 +362,7 @@ struct CustomEffect {
 };
 
 using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
-                            LaplacianBending, TensileTriangles, Pressure, Volume, CustomEffect>;
+                            LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity,
+                            Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript>;
 
 }  // namespace hooke

@@ -22,6 +22,7 @@ enum Flag : std::uint32_t {
   flag_restored = 32,       ///< the run was stopped on trouble, and the last good state restored
   flag_step_halved = 64,    ///< steps are taken in twice as many parts from the last good state on
   flag_oscillations_grow = 128,  ///< the method lets undamped oscillations grow at any step; not seen to yet
+  flag_limit_not_met = 256,      ///< springs were longer than their strain limit allows after its last sweep
 };
 
 /// Time that a sweep of the plan took, summed over the steps of one call.
@@ -52,10 +53,13 @@ struct Report {
   /// On trouble the ends, in the user's numbering, of the spring that held the most energy; none of a scene
   /// without springs.
   std::array<Index, 2> strained_spring{none, none};
-  double kinetic_energy = 0.0;        ///< where energy grew, of the state in which that was found [J]
-  double energy_put_in = 0.0;         ///< and what all sources have put in, at most [J]
-  std::uint64_t steps_undone = 0;     ///< steps before this call that were taken back with the good state
-  std::span<const SweepTime> sweeps;  ///< time of each sweep; valid until the next call on the simulation
+  double kinetic_energy = 0.0;           ///< where energy grew, of the state in which that was found [J]
+  double energy_put_in = 0.0;            ///< and what all sources have put in, at most [J]
+  std::uint64_t limit_sweeps = 0;        ///< the most that a strain limit needed in a step
+  std::uint64_t springs_over_limit = 0;  ///< where a strain limit was not met, in the last such step
+  double largest_strain = 0.0;           ///< of them [1]
+  std::uint64_t steps_undone = 0;        ///< steps before this call that were taken back with the good state
+  std::span<const SweepTime> sweeps;     ///< time of each sweep; valid until the next call on the simulation
 
   bool ok() const { return (flags & (flag_not_finite | flag_step_too_small | flag_restored)) == 0; }
 

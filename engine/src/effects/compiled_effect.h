@@ -76,6 +76,9 @@ class CompiledEffect {
   /// Changes the result of a step in place.
   virtual void correct(const StepResult<Real>&, Executor&) {}
 
+  /// Of an effect with correct(): adds what it has met with since it was asked last, and forgets it.
+  virtual void tell(Report&) {}
+
   /// How many values it keeps in State::memory, and their values at the start. It finds its own from
   /// `first` on.
   virtual std::size_t memory_size() const { return 0; }

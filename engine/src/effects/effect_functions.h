@@ -35,6 +35,18 @@ template <class Real>
 EffectPointer<Real> compile_effect(const CustomEffect&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const TensileTriangles&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Cables&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const StiffeningSprings&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Plasticity&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const StrainLimit&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Tethers&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const MotionScript&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -50,6 +62,12 @@ void check_effect(const Pressure&, const Scene&, const ElementChecks&);
 void check_effect(const Volume&, const Scene&, const ElementChecks&);
 void check_effect(const CustomEffect&, const Scene&, const ElementChecks&);
 void check_effect(const TensileTriangles&, const Scene&, const ElementChecks&);
+void check_effect(const Cables&, const Scene&, const ElementChecks&);
+void check_effect(const StiffeningSprings&, const Scene&, const ElementChecks&);
+void check_effect(const Plasticity&, const Scene&, const ElementChecks&);
+void check_effect(const StrainLimit&, const Scene&, const ElementChecks&);
+void check_effect(const Tethers&, const Scene&, const ElementChecks&);
+void check_effect(const MotionScript&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -65,6 +83,12 @@ void add_bounds(const Pressure&, const Scene&, HeldParticles&);
 void add_bounds(const Volume&, const Scene&, HeldParticles&);
 void add_bounds(const CustomEffect&, const Scene&, HeldParticles&);
 void add_bounds(const TensileTriangles&, const Scene&, HeldParticles&);
+void add_bounds(const Cables&, const Scene&, HeldParticles&);
+void add_bounds(const StiffeningSprings&, const Scene&, HeldParticles&);
+void add_bounds(const Plasticity&, const Scene&, HeldParticles&);
+void add_bounds(const StrainLimit&, const Scene&, HeldParticles&);
+void add_bounds(const Tethers&, const Scene&, HeldParticles&);
+void add_bounds(const MotionScript&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
@@ -82,11 +106,27 @@ template <>
 inline constexpr bool does_unknown_work<Wind> = true;
 template <>
 inline constexpr bool does_unknown_work<ForceScript> = true;
+/// What a limit or a tether pulls in from a state that did not keep it, and with pins that move, has no
+/// bound.
+template <>
+inline constexpr bool does_unknown_work<StrainLimit> = true;
+template <>
+inline constexpr bool does_unknown_work<Tethers> = true;
+template <>
+inline constexpr bool does_unknown_work<MotionScript> = true;
 
 bool does_unknown_work_in(const Scene& scene);
 
 /// Whether it changes the results of steps, beside or instead of having a force.
 template <class Data>
 inline constexpr bool corrects_results = false;
+template <>
+inline constexpr bool corrects_results<Plasticity> = true;
+template <>
+inline constexpr bool corrects_results<StrainLimit> = true;
+template <>
+inline constexpr bool corrects_results<Tethers> = true;
+template <>
+inline constexpr bool corrects_results<MotionScript> = true;
 
 }  // namespace hooke

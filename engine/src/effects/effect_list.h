@@ -78,6 +78,11 @@ class EffectList {
     for (CompiledEffect<Real>* effect : correctors_) effect->correct(result, executor);
   }
 
+  /// Adds what corrections of everything have met with since this was called last.
+  void tell(Report& report) {
+    for (CompiledEffect<Real>* effect : correctors_) effect->tell(report);
+  }
+
   double energy(const Strip<Real>& strip) const;  ///< potential [J]
 
   /// State::memory at the start.

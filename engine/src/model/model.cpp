@@ -1,5 +1,8 @@
 #include "model/model.h"
 
+#include <algorithm>
+
+#include "effects/named_springs.h"
 #include "model/tiles.h"
 
 namespace hooke {
@@ -19,7 +22,7 @@ template <class Real>
 typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const Adjacency& adjacency,
                                                    const Order& order, Accumulation accumulation,
                                                    Executor& executor) {
-  if (springs.size() == 0) return std::monostate{};
+  if (adjacency.spring_count() == 0) return std::monostate{};
   switch (accumulation) {
     case Accumulation::gather:
       return make_slots<Real>(springs, adjacency, order, executor);
@@ -33,6 +36,21 @@ typename Model<Real>::SpringLayout lay_out_springs(const Springs& springs, const
                            atomic_batch_blocks(block_count(order.size()), executor.threads()));
   }
   return std::monostate{};
+}
+
+template <class Real>
+typename Model<Real>::SpringLayout lay_out_linear_springs(const Scene& scene, const Adjacency& adjacency,
+                                                          const Order& order, Accumulation accumulation,
+                                                          Executor& executor) {
+  const std::vector<bool> cables = cable_mask(scene);
+  if (cables.empty()) return lay_out_springs<Real>(scene.springs, adjacency, order, accumulation, executor);
+  const Adjacency linear(scene.springs, order.size(), [&](std::size_t s) { return !cables[s]; });
+  return lay_out_springs<Real>(scene.springs, linear, order, accumulation, executor);
+}
+
+std::size_t count_cables(const Scene& scene) {
+  const std::vector<bool> cables = cable_mask(scene);
+  return std::size_t(std::count(cables.begin(), cables.end(), true));
 }
 
 template <class Real>
@@ -53,9 +71,10 @@ Model<Real>::Model(const Scene& scene, const Adjacency& adjacency, Order chosen,
                    Executor& executor)
     : order(std::move(chosen)),
       springs(scene.springs.size()),
+      linear_springs(springs - count_cables(scene)),
       spring_reach(hooke::spring_reach(scene.springs, order)),
       inverse_mass(inverse_masses<Real>(scene, order)),
-      spring_layout(lay_out_springs<Real>(scene.springs, adjacency, order, accumulation, executor)),
+      spring_layout(lay_out_linear_springs<Real>(scene, adjacency, order, accumulation, executor)),
       moving_pins(hooke::moving_pins(scene, order)) {}
 
 template <class Real>

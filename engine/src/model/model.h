@@ -23,8 +23,9 @@ struct Model {
 
   Order order;
   std::size_t springs = 0;
-  std::size_t spring_reach = 0;  ///< the most blocks that a spring reaches over
-  BlockRows<Real> inverse_mass;  ///< [1/kg]; 0 where pinned, and in the padding
+  std::size_t linear_springs = 0;  ///< of them those in the layout: cables are an effect's
+  std::size_t spring_reach = 0;    ///< the most blocks that a spring reaches over
+  BlockRows<Real> inverse_mass;    ///< [1/kg]; 0 where pinned, and in the padding
   SpringLayout spring_layout;
   std::vector<MovingPin> moving_pins;
 

@@ -353,7 +353,7 @@ Slots<Real> make_slots(const Springs& springs, const Adjacency& adjacency, const
   }
   if (order.is_identity()) {
     Slots<Real> slots = make_slots<Real>(springs, adjacency, order, executor, holders, true);
-    if (count_slots(slots, springs.size()).empty_share() <= most_empty_lanes) return slots;
+    if (count_slots(slots, adjacency.spring_count()).empty_share() <= most_empty_lanes) return slots;
   }
   return make_slots<Real>(springs, adjacency, order, executor, holders, false);
 }

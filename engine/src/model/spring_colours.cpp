@@ -8,17 +8,20 @@
 namespace hooke {
 namespace {
 
-/// The springs that pull or damp, sorted by their ends.
-std::vector<Index> acting(const Springs& springs, const Order& engine) {
+/// The springs that pull or damp.
+std::vector<Index> acting(const Springs& springs) {
   std::vector<Index> found;
   for (std::size_t s = 0; s < springs.size(); ++s) {
     if (springs.stiffness[s] > 0.0 || springs.damping_of(s) > 0.0) found.push_back(Index(s));
   }
+  return found;
+}
+
+void sort_by_ends(const Springs& springs, const Order& engine, std::vector<Index>& chosen) {
   const auto ends = [&](Index s) {
     return std::minmax({engine.engine(springs.first[s]), engine.engine(springs.second[s])});
   };
-  std::stable_sort(found.begin(), found.end(), [&](Index a, Index b) { return ends(a) < ends(b); });
-  return found;
+  std::stable_sort(chosen.begin(), chosen.end(), [&](Index a, Index b) { return ends(a) < ends(b); });
 }
 
 using Colours = std::vector<std::vector<Index>>;
@@ -47,8 +50,13 @@ std::vector<Index> take_colours(const Springs& springs, const std::vector<Index>
 }  // namespace
 
 SpringColours colour_springs(const Springs& springs, const Order& engine) {
+  return colour_springs(springs, engine, acting(springs));
+}
+
+SpringColours colour_springs(const Springs& springs, const Order& engine, std::vector<Index> chosen) {
+  sort_by_ends(springs, engine, chosen);
   Colours colours;
-  for (std::vector<Index> left = acting(springs, engine); !left.empty();)
+  for (std::vector<Index> left = std::move(chosen); !left.empty();)
     left = take_colours(springs, left, engine.size(), colours);
   SpringColours result{{}, {0}};
   for (const std::vector<Index>& colour : colours) {

@@ -19,4 +19,7 @@ struct SpringColours {
 /// other spring at its ends has; in each colour they stay in that order, so that ends lie near in memory.
 SpringColours colour_springs(const Springs& springs, const Order& engine);
 
+/// Likewise of those that are chosen, whatever they do.
+SpringColours colour_springs(const Springs& springs, const Order& engine, std::vector<Index> chosen);
+
 }  // namespace hooke

@@ -1,5 +1,6 @@
 #include "solve/coloured_groups.h"
 
+#include "effects/named_springs.h"
 #include "model/slots.h"
 #include "model/spring_colours.h"
 
@@ -9,11 +10,23 @@ namespace {
 /// Groups that one thread takes at a time: some microseconds of work.
 constexpr std::size_t groups_at_once = 32;
 
+SpringColours colours_of(const Scene& scene, const Order& engine) {
+  const Springs& springs = scene.springs;
+  const std::vector<bool> cables = cable_mask(scene);
+  if (cables.empty()) return colour_springs(springs, engine);
+  std::vector<Index> chosen;
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    if (!cables[s] && (springs.stiffness[s] > 0.0 || springs.damping_of(s) > 0.0)) chosen.push_back(Index(s));
+  }
+  return colour_springs(springs, engine, std::move(chosen));
+}
+
 }  // namespace
 
 template <class Real>
-ColouredGroups<Real>::ColouredGroups(const Springs& springs, const Order& engine) {
-  const SpringColours colours = colour_springs(springs, engine);
+ColouredGroups<Real>::ColouredGroups(const Scene& scene, const Order& engine) {
+  const Springs& springs = scene.springs;
+  const SpringColours colours = colours_of(scene, engine);
   for (std::size_t colour = 0; colour < colours.colours(); ++colour) {
     for (std::size_t s = colours.begin[colour]; s < colours.begin[colour + 1]; ++s)
       add(springs, engine, colours.springs[s]);

@@ -9,11 +9,12 @@
 
 namespace hooke {
 
-/// The springs of a scene in groups of 16, colour by colour: those of one colour share no particle.
+/// The springs of a scene that are not cables, in groups of 16, colour by colour: those of one colour share
+/// no particle.
 template <class Real>
 class ColouredGroups {
  public:
-  ColouredGroups(const Springs& springs, const Order& engine);
+  ColouredGroups(const Scene& scene, const Order& engine);
 
   /// Puts all springs right, one colour after the other.
   void project(Real h, const ProjectedParticles<Real>& particles, Real* multipliers,

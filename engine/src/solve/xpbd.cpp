@@ -17,7 +17,7 @@ class PositionBasedDynamics final : public StageSolver<Real> {
   PositionBasedDynamics(const Xpbd& method, const SolverContext<Real>& context)
       : method_(method),
         executor_(context.executor),
-        springs_(context.scene.springs, context.model.order),
+        springs_(context.scene, context.model.order),
         motion_(context.model, context.forces),
         places_(packed_width * places(context.model), Real(0)),
         moves_(places_.size(), Real(0)),
