@@ -7,6 +7,8 @@
 
 #include <hooke/hooke.h>
 
+#include "sanitized.h"
+
 using namespace hooke;
 
 /// The heavy elastica: a strip of length L that is clamped level at one end and hangs down under its own
@@ -165,6 +167,7 @@ void check_convergence(const Elastica& expected, const SagOf& sag_of_spacings) {
 
 TEST_CASE("A heavy strip with hinges hangs as the elastica does, to second order in the spacing") {
   check_convergence(elasticas[1], sag_of_hinges);
+  if (test::sanitized) return;
   for (const Elastica& elastica : {elasticas[0], elasticas[2]})
     CHECK(sag_of_hinges(32, elastica.gamma) == doctest::Approx(elastica.sag).epsilon(0.0015));
 }
