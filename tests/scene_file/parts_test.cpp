@@ -89,7 +89,7 @@ TEST_CASE("the law of a cloth is read, with its material") {
   const SceneFile again = parse_scene(write_scene(file));
   CHECK(std::get<TensileTriangles>(again.scene.effects[0]).triangles == effect.triangles);
   CHECK(contains(fault_of(R"({"step": 1, "cloth_grid": {"law": {"tensile_sheet": {}}}})"),
-                 "law.modulus is 0 N/m; give a finite value > 0"));
+                 "law.modulus: is 0 N/m; give a finite value > 0"));
   CHECK(contains(fault_of(R"({"step": 1, "cloth_grid": {"law": {"tensile_shet": {}}}})"), "tensile_sheet"));
 }
 

@@ -82,16 +82,21 @@ Sheet square(int columns, int rows, double a, double k1, double k2, double kf) {
 /// The stress [N/m] of an evenly strained sheet: columns are the forces through a cut across x, and across y,
 /// for each metre of it. What is on the near side of a cut is pulled by all that crosses it.
 Eigen::Matrix2d stress(const Sheet& sheet, const Strain& strain, Accumulation accumulation) {
-  Scene strained = sheet.scene;
-  for (Vec3& x : strained.particles.position) x.head<2>() += (strain * x.head<2>()).eval();
+  const auto& rest = sheet.scene.particles;
   Simulation<double> simulation(
-      strained, {.method = ExplicitEuler{}, .step = 1.0, .accumulation = accumulation, .threads = 1});
+      sheet.scene, {.method = ExplicitEuler{}, .step = 1.0, .accumulation = accumulation, .threads = 1});
+  Snapshot<double> strained = simulation.snapshot();
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    for (Eigen::Index k = 0; k < 2; ++k)
+      strained.positions[3 * i + std::size_t(k)] += strain.row(k).dot(rest.position[i].head<2>());
+  }
+  simulation.restore(strained);
   REQUIRE(simulation.step().ok());
   // Cuts that go between rows of particles, and through whole cells of the triangles on average.
   Eigen::Matrix2d force = Eigen::Matrix2d::Zero();
-  for (Index i = 0; i < strained.particles.size(); ++i) {
-    const Vec3& place = sheet.scene.particles.position[i];
-    const Eigen::Vector2d pull = strained.particles.mass[i] * velocity(simulation, i).head<2>();
+  for (Index i = 0; i < rest.size(); ++i) {
+    const Vec3& place = rest.position[i];
+    const Eigen::Vector2d pull = rest.mass[i] * velocity(simulation, i).head<2>();
     if (place.x() < 0.503 * sheet.width) force.col(0) += pull / sheet.height;
     if (place.y() < 0.503 * sheet.height) force.col(1) += pull / sheet.width;
   }

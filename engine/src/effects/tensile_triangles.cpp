@@ -1,12 +1,7 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
 #include "effects/effect_functions.h"
+#include "effects/tensile_stiffness.h"
 #include "model/element_slots.h"
 #include "scene/number_text.h"
 
@@ -16,9 +11,9 @@
 
 #include "kernels/elements-inl.h"
 
-// With q_i = l_i^2 - L_i^2 the energy is q^T C q / 4, where C has k_i on its diagonal and c_ij beside it:
-//   C q = b (b.q) + s (2 q - sum of q), b_i = cot a_i sqrt(2 p / 16A), s = m / 16A.
-// The tensions T = C q of the sides pull corner r to the two others:
+// With q = l^2 - L^2 of the sides, the tensions T = C q (see TensileStiffness),
+//   C q = b (b.q) + s (2 q - sum of q),
+// pull corner r to the two others:
 //   F_r = T_b (x_a - x_r) + T_a (x_b - x_r), where side i is opposite corner i, and a, b are the corners
 //   after r.
 // The coefficients of an element are s, b_0, b_1, b_2, L_0^2, L_1^2, L_2^2.
@@ -171,41 +166,6 @@ HWY_EXPORT(pull_double);
 HWY_EXPORT(multiply_float);
 HWY_EXPORT(multiply_double);
 
-using Corners = std::array<Vec3, 3>;
-
-Corners corners_of(const Scene& scene, const Triangle& triangle) {
-  const auto& position = scene.particles.position;
-  return {position[triangle[0]], position[triangle[1]], position[triangle[2]]};
-}
-
-Vec3 side_of(const Corners& x, std::size_t i) {
-  return x[(i + 2) % 3] - x[(i + 1) % 3];
-}
-
-/// Twice the area [m^2].
-double doubled_area(const Corners& x) {
-  return side_of(x, 0).cross(side_of(x, 1)).norm();
-}
-
-/// The scale s and the b of each side.
-struct Stiffness {
-  double s;
-  Vec3 b;
-
-  Eigen::Matrix3d matrix() const {
-    return b * b.transpose() + s * (2.0 * Eigen::Matrix3d::Identity() - Eigen::Matrix3d::Ones());
-  }
-};
-
-Stiffness stiffness_of(const TensileTriangles& sheet, const Corners& x) {
-  const double nu = sheet.poisson_ratio, doubled = doubled_area(x);
-  Vec3 cotangents;
-  for (std::size_t i = 0; i < 3; ++i)
-    cotangents[Eigen::Index(i)] = -side_of(x, (i + 1) % 3).dot(side_of(x, (i + 2) % 3)) / doubled;
-  const double p = sheet.modulus / (1.0 - nu * nu);
-  return {sheet.modulus / (1.0 + nu) / (8.0 * doubled), cotangents * std::sqrt(2.0 * p / (8.0 * doubled))};
-}
-
 /// Calls visit(triangle) for the number of each triangle of the sheet.
 template <class Visit>
 void for_each_triangle(const TensileTriangles& sheet, const Scene& scene, const Visit& visit) {
@@ -214,6 +174,22 @@ void for_each_triangle(const TensileTriangles& sheet, const Scene& scene, const 
   } else {
     for (const Index t : sheet.triangles) visit(std::size_t(t));
   }
+}
+
+Corners corners_of(const Scene& scene, const Triangle& triangle) {
+  const auto& position = scene.particles.position;
+  return {position[triangle[0]], position[triangle[1]], position[triangle[2]]};
+}
+
+template <class Real>
+StrainedTriangle strained(const ElementCorner<Real>& corner, const State<Real>& state) {
+  const auto& c = corner.coefficients;
+  StrainedTriangle triangle{{}, {c[0], {c[1], c[2], c[3]}}, {}};
+  for (std::size_t i = 0; i < 3; ++i)
+    triangle.x[i] = state.position(corner.particles[i]).template cast<double>();
+  for (std::size_t i = 0; i < 3; ++i)
+    triangle.stretch[Eigen::Index(i)] = side_of(triangle.x, i).squaredNorm() - c[4 + i];
+  return triangle;
 }
 
 Elements elements_of(const TensileTriangles& sheet, const Scene& scene) {
@@ -228,36 +204,6 @@ Elements elements_of(const TensileTriangles& sheet, const Scene& scene) {
                   side_of(x, 2).squaredNorm()});
   });
   return elements;
-}
-
-/// A triangle as it lies now.
-struct StrainedTriangle {
-  Corners x;
-  Stiffness stiffness;
-  Vec3 stretch;  ///< l^2 - L^2 of each side
-
-  template <class Real>
-  StrainedTriangle(const ElementCorner<Real>& corner, const State<Real>& state) {
-    const auto& c = corner.coefficients;
-    for (std::size_t i = 0; i < 3; ++i) x[i] = state.position(corner.particles[i]).template cast<double>();
-    stiffness = {c[0], {c[1], c[2], c[3]}};
-    for (std::size_t i = 0; i < 3; ++i) stretch[Eigen::Index(i)] = side_of(x, i).squaredNorm() - c[4 + i];
-  }
-};
-
-/// The derivative by a corner's own place, without what makes it indefinite; each part weighted.
-Eigen::Matrix3d own_derivative(const StrainedTriangle& triangle, std::size_t corner, double stretching,
-                               double turning) {
-  const std::size_t a = (corner + 1) % 3, b = (corner + 2) % 3;
-  const Eigen::Matrix3d c = triangle.stiffness.matrix();
-  const Vec3 tension = c * triangle.stretch;
-  Eigen::Matrix<double, 3, 2> slopes;
-  slopes << side_of(triangle.x, a), -side_of(triangle.x, b);
-  const auto i = Eigen::Index(a), j = Eigen::Index(b);
-  const Eigen::Matrix2d between{{c(i, i), c(i, j)}, {c(j, i), c(j, j)}};
-  const double turned = std::max(0.0, tension[i]) + std::max(0.0, tension[j]);
-  return 2.0 * stretching * slopes * between * slopes.transpose() +
-         turning * turned * Eigen::Matrix3d::Identity();
 }
 
 template <class Real>
@@ -282,7 +228,7 @@ class TensileForce final : public CompiledEffect<Real> {
     const double stretching = double(stretching_weight(weights)), turning = double(weights.stiffness);
     for_each_corner_of(strip, [&](const auto& corner) {
       const Eigen::Matrix3d own =
-          own_derivative(StrainedTriangle(corner, strip.state), corner.role, stretching, turning);
+          own_derivative(strained(corner, strip.state), corner.role, stretching, turning);
       const std::size_t lane = corner.own - strip.first;
       blocks.xx[lane] += Real(own(0, 0));
       blocks.xy[lane] += Real(own(0, 1));
@@ -315,8 +261,9 @@ class TensileForce final : public CompiledEffect<Real> {
   double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
     for_each_corner_of(strip, [&](const auto& corner) {
-      const StrainedTriangle triangle(corner, strip.state);
-      sum += triangle.stretch.dot(triangle.stiffness.matrix() * triangle.stretch) / 12.0;
+      const StrainedTriangle triangle = strained(corner, strip.state);
+      const Vec3& stretch = triangle.stretch;
+      sum += stretch.dot(triangle.stiffness.matrix() * stretch) / 12.0;
     });
     return sum;
   }
@@ -342,19 +289,6 @@ class TensileForce final : public CompiledEffect<Real> {
   ElementSlots<Real> slots_;
   Real damping_;
 };
-
-/// The largest eigenvalue [N/m] of a triangle's stiffness matrix at rest, G C G^T / 2, where G has the slopes
-/// of l^2: those of its three strains alone are not zero.
-double largest_stiffness(const TensileTriangles& sheet, const Corners& x) {
-  Eigen::Matrix3d slopes;  // G^T G
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j)
-      slopes(Eigen::Index(i), Eigen::Index(j)) = (i == j ? 8.0 : -4.0) * side_of(x, i).dot(side_of(x, j));
-  }
-  const Eigen::Matrix3d root = stiffness_of(sheet, x).matrix().llt().matrixL();
-  const Eigen::Matrix3d same = 0.5 * root.transpose() * slopes * root;
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(same, Eigen::EigenvaluesOnly).eigenvalues()[2];
-}
 
 void check_triangle(const Scene& scene, std::size_t t, const ElementChecks& checks) {
   const Triangle& triangle = scene.triangles[t];
@@ -401,7 +335,8 @@ void add_bounds(const TensileTriangles& sheet, const Scene& scene, HeldParticles
   if (sheet.modulus == 0.0) return;
   constexpr double when_stretched = 1.5;
   for_each_triangle(sheet, scene, [&](std::size_t t) {
-    const double k = largest_stiffness(sheet, corners_of(scene, scene.triangles[t]));
+    const Corners x = corners_of(scene, scene.triangles[t]);
+    const double k = stiffness_of(sheet, x).largest_at_rest(x);
     for (const Index corner : scene.triangles[t])
       held.add(corner, when_stretched * k, when_stretched * sheet.damping * k);
   });
