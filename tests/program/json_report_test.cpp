@@ -94,9 +94,10 @@ TEST_CASE("a report of a run that went bad says where") {
   result.interrupted_by = 2;
   const json report = json::parse(json_report(result));
   CHECK(report.at("flags") == json::array({"not_finite", "steps_dropped", "step_too_small"}));
-  result.flags = flag_energy_grew | flag_restored | flag_step_halved | flag_oscillations_grow;
+  result.flags =
+      flag_energy_grew | flag_restored | flag_step_halved | flag_oscillations_grow | flag_limit_not_met;
   CHECK(json::parse(json_report(result)).at("flags") ==
-        json::array({"energy_grew", "restored", "step_halved", "oscillations_grow"}));
+        json::array({"energy_grew", "restored", "step_halved", "oscillations_grow", "limit_not_met"}));
   CHECK(report.at("first_bad_particle") == 0);
   CHECK(report.at("bad_step") == 17);
   CHECK(report.at("message") == "step 17 went bad");

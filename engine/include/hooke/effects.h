@@ -250,9 +250,8 @@ struct Plasticity {
 /// A limit on the strain of springs, kept after each step (Provot 1995, "Deformation constraints in a
 /// mass-spring model to describe rigid cloth behavior"): the ends of what is too long are moved back along
 /// the spring, the lighter end more, pinned ones not at all, sweep after sweep until no spring exceeds the
-/// limit by more than 1e-6 and what positions are rounded to. Sweeps overshoot and take back what was too
-/// much, so that they end near the state that keeps the limit and lies nearest in the mean by mass, whatever
-/// their order.
+/// limit by more than 1e-6 and what positions are rounded to. What is moved gets up to 0.001 shorter than the
+/// limit, and more where sweeps overshoot, so that few suffice.
 ///
 /// Momentum is kept: velocities change by the move over the step, or by the share of it after which there is
 /// the least kinetic energy. So a limit never adds kinetic energy, but where pins move: there the whole

@@ -171,7 +171,7 @@ class Simulation {
   const Plan& plan() const;
   Energy energy() const;  ///< of the newest state, summed in double in a fixed order
   Vec3 momentum() const;  ///< [kg m/s] of the particles that are not pinned
-  /// Largest (l - l0) / l0 of the springs with stiffness and l0 > 0 [1]; 0 where there are none.
+  /// Largest (l - l0) / l0 [1] of the springs with stiffness and l0 > 0 that are not cables; 0 of none.
   double max_strain() const;
 
   /// What is guaranteed of the scene, and the highest frequency in the newest state: some 50 products with
