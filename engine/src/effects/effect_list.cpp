@@ -115,7 +115,12 @@ std::vector<Stage> EffectList<Real>::preparation_stages() const {
 template <class Real>
 std::vector<Stage> EffectList<Real>::correction_stages() const {
   std::vector<Stage> stages;
-  for (const CompiledEffect<Real>* effect : correctors_) stages.push_back(effect->stage());
+  for (const CompiledEffect<Real>* effect : correctors_) {
+    stages.push_back(effect->stage());
+    if ((effect->parts() & (has_force | hooke::corrects_strips)) == 0) continue;
+    stages.back().name += " (correction)";
+    stages.back().bytes = 0;  // they are counted with the force
+  }
   return stages;
 }
 

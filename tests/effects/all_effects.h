@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <hooke/hooke.h>
+
+#include "effects/sphere_scene.h"
+
+namespace hooke::test {
+
+/// A small ball of springs and triangles, pinned at two particles: every effect finds in it what it needs.
+inline Scene ball_for_effects() {
+  Scene scene = sphere_scene(1, 0.5, 200.0);
+  scene.pin(0);
+  scene.pin(1);
+  for (std::size_t i = 2; i < scene.particles.size(); ++i) {
+    scene.particles.position[i] *= 1.0 + 0.02 * double(i % 3);
+  }
+  return scene;
+}
+
+/// An effect with values that show, and with its coefficient at zero.
+struct NamedEffect {
+  std::string stage;  ///< how the names of its stages begin
+  Effect effect, zero;
+};
+
+/// One of each alternative of Effect, in its order, for ball_for_effects(). What has no coefficient has
+/// nothing named.
+inline std::vector<NamedEffect> one_of_each_effect() {
+  const UniformField air{{3.0, 0.0, 1.0}};
+  const std::vector<Index> lines_first{2, 3}, lines_middle{6, 9}, lines_last{4, 5};
+  const auto pull = [](const ParticleBatch& batch) {
+    for (std::size_t i = 0; i < batch.particle.size(); ++i) batch.fx[i] += 0.01;
+  };
+  return {
+      {"gravity", Gravity{}, Gravity{Vec3::Zero()}},
+      {"drag", Drag{0.01}, Drag{}},
+      {"field", Field{VortexField{.rate = 0.1}}, Field{}},
+      {"particle_wind", ParticleWind{0.01, air}, ParticleWind{0.0, air}},
+      {"wind", Wind{air}, Wind{.velocity = air, .air_density = 0.0}},
+      {"force_script", ForceScript{{3, 4}, {{0.0, {0.1, 0.0, 0.0}}, {1.0, {0.0, 0.2, 0.0}}}}, ForceScript{}},
+      {"ground_plane", GroundPlane{.height = -0.2}, GroundPlane{.height = -0.2, .stiffness = 0.0}},
+      {"hinge_bending", HingeBending{.stiffness = 0.01, .flat_at_rest = false}, HingeBending{}},
+      {"laplacian_bending", LaplacianBending{lines_first, lines_middle, lines_last, {1.0, 2.0}},
+       LaplacianBending{lines_first, lines_middle, lines_last, {0.0, 0.0}}},
+      {"tensile_triangles", TensileTriangles{.modulus = 20.0}, TensileTriangles{}},
+      {"cables", Cables{{0, 1}}, Cables{}},
+      {"stiffening_springs", StiffeningSprings{.cubic = 50.0, .springs = {4, 5, 6}},
+       StiffeningSprings{.springs = {4, 5, 6}}},
+      {"plasticity", Plasticity{.yield = 0.001, .rate = 1.0, .springs = {8, 9}},
+       Plasticity{.yield = 0.001, .springs = {8, 9}}},
+      {"pressure", Pressure{.overpressure = 20.0, .ambient = 100.0}, Pressure{.ambient = 0.0}},
+      {"volume", Volume{.bulk_modulus = 100.0, .ratio = 1.1}, Volume{}},
+      {"mine", CustomEffect{"mine", pull}, CustomEffect{"mine", [](const ParticleBatch&) {}}},
+      {"strain_limit", StrainLimit{.limit = 0.005}, StrainLimit{.limit = 1e6}},
+      {"tethers", Tethers{}, Tethers{.slack = 1e6}},
+      {"motion_script", MotionScript{{7}, {{0.0, Vec3::Zero()}, {1.0, {0.1, 0.0, 0.0}}}}, MotionScript{}},
+  };
+}
+
+}  // namespace hooke::test
