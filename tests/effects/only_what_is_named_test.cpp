@@ -76,7 +76,7 @@ TEST_CASE("the plans of random subsets of effects have their stages and their by
     for (const Stage& stage : plan.stages) springs += stage.name == "springs (gather)" ? stage.bytes : 0;
     const std::size_t rest = plan.bytes() - bytes - springs - plan.state_bytes;
     CHECK(rest == bare.plan().bytes() - springs_of_bare - bare.plan().state_bytes);
-    CHECK(plan.state_bytes >= bare.plan().state_bytes);
+    // One state less where steps cannot run ahead of each other.
     const bool remembers = named[12];  // plasticity
     if (!remembers) CHECK(plan.state_bytes <= bare.plan().state_bytes);
   }

@@ -35,6 +35,7 @@ class ScriptedMotion final : public CompiledEffect<Real> {
   unsigned parts() const override { return corrects_strips; }
 
   void correct_strip(const StepResult<Real>& result, std::size_t begin, std::size_t end) const override {
+    if (moved_.empty()) return;  // then there may be no path either
     if (result.time < path_.front().time || result.time > path_.back().time) return;
     const auto before = [](const ScriptedParticle& moved, std::size_t i) { return moved.particle < i; };
     auto moved = std::lower_bound(moved_.begin(), moved_.end(), begin * block_size, before);
