@@ -180,11 +180,13 @@ void check_effect(const LaplacianBending& bending, const Scene& scene, const Ele
     return;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string at = "[" + std::to_string(i) + "]";
-    checks.in_range("first" + at, bending.first[i], scene.particles.size(), "particles");
-    checks.in_range("middle" + at, bending.middle[i], scene.particles.size(), "particles");
-    checks.in_range("last" + at, bending.last[i], scene.particles.size(), "particles");
-    checks.not_negative("stiffness" + at, bending.stiffness[i], "N/m");
+    const auto at = [number = std::to_string(i)](std::string list) {
+      return list.append("[").append(number).append("]");
+    };
+    checks.in_range(at("first"), bending.first[i], scene.particles.size(), "particles");
+    checks.in_range(at("middle"), bending.middle[i], scene.particles.size(), "particles");
+    checks.in_range(at("last"), bending.last[i], scene.particles.size(), "particles");
+    checks.not_negative(at("stiffness"), bending.stiffness[i], "N/m");
     if (bending.first[i] == bending.middle[i] || bending.middle[i] == bending.last[i] ||
         bending.first[i] == bending.last[i])
       checks.add("entry " + std::to_string(i) + " has a particle twice", "give three different particles");
