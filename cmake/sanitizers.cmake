@@ -3,10 +3,6 @@ set(HOOKE_SANITIZE "" CACHE STRING "Sanitizers to build with, such as address,un
 if(HOOKE_SANITIZE)
   add_compile_options(-fsanitize=${HOOKE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${HOOKE_SANITIZE})
-  # What threads share does not depend on how wide vectors are, and to build kernels once saves minutes.
-  if(HOOKE_SANITIZE MATCHES "thread")
-    add_compile_definitions(HWY_COMPILE_ONLY_STATIC)
-  endif()
 endif()
 
 # hooke_tbb_source(TARGET SOURCE): the one source that includes oneTBB. The system's oneTBB is not built with the
