@@ -28,4 +28,15 @@ struct StripBlocks {
   alignas(cache_line) Real zz[strip_blocks * block_size];
 };
 
+/// Adds a symmetric matrix to that of one particle of the strip.
+template <class Real>
+void add_matrix(const Eigen::Matrix3d& matrix, std::size_t lane, StripBlocks<Real>& blocks) {
+  blocks.xx[lane] += Real(matrix(0, 0));
+  blocks.xy[lane] += Real(matrix(0, 1));
+  blocks.xz[lane] += Real(matrix(0, 2));
+  blocks.yy[lane] += Real(matrix(1, 1));
+  blocks.yz[lane] += Real(matrix(1, 2));
+  blocks.zz[lane] += Real(matrix(2, 2));
+}
+
 }  // namespace hooke

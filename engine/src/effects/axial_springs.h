@@ -15,8 +15,7 @@ struct AxialDerivative {
 
 template <class Real, class Visit>
 void for_each_spring_end(const ElementSlots<Real>& slots, const Strip<Real>& strip, const Visit& visit) {
-  const std::size_t begin = strip.first / block_size;
-  for_each_corner(slots, begin, begin + strip.lanes / block_size, [&](const ElementCorner<Real>& corner) {
+  for_each_corner(slots, strip, [&](const ElementCorner<Real>& corner) {
     const auto at = [&](std::size_t c) -> Vec3 {
       return strip.state.position(corner.particles[c]).template cast<double>();
     };
@@ -34,13 +33,8 @@ void add_axial_blocks(const ElementSlots<Real>& slots, const Strip<Real>& strip,
     const AxialDerivative derivative = derivative_of(corner, length);
     const Vec3 n = apart / length;
     const double most = derivative.along - derivative.across;
-    const std::size_t lane = corner.own - strip.first;
-    blocks.xx[lane] += Real(derivative.across + most * n.x() * n.x());
-    blocks.xy[lane] += Real(most * n.x() * n.y());
-    blocks.xz[lane] += Real(most * n.x() * n.z());
-    blocks.yy[lane] += Real(derivative.across + most * n.y() * n.y());
-    blocks.yz[lane] += Real(most * n.y() * n.z());
-    blocks.zz[lane] += Real(derivative.across + most * n.z() * n.z());
+    const Eigen::Matrix3d own = derivative.across * Eigen::Matrix3d::Identity() + most * n * n.transpose();
+    add_matrix(own, corner.own - strip.first, blocks);
   });
 }
 

@@ -7,7 +7,7 @@
 namespace hooke {
 namespace {
 
-/// The masses [kg] that a user sees, in the order that `user_of` gives; infinite where pinned.
+/// The masses [kg] that a user sees, in the user's order; infinite where pinned.
 std::vector<double> masses(const Scene& scene) {
   std::vector<double> mass = scene.particles.mass;
   for (const Pin& pin : scene.pins) mass[pin.particle] = std::numeric_limits<double>::infinity();

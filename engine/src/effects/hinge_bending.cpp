@@ -160,16 +160,10 @@ class HingeBendingForce final : public CompiledEffect<Real> {
   void add_derivative(const Strip<Real>& strip, double, const DerivativeWeights<Real>& weights,
                       StripBlocks<Real>& blocks) const override {
     const double weight = double(weight_along(weights));
-    for_each_corner_of(strip, [&](const auto& corner) {
+    for_each_corner(slots_, strip, [&](const auto& corner) {
       const Vec3 gradient = hinge_angle(corners(strip.state, corner)).gradient[corner.role];
       const Eigen::Matrix3d own = weight * corner.coefficients[0] * gradient * gradient.transpose();
-      const std::size_t lane = corner.own - strip.first;
-      blocks.xx[lane] += Real(own(0, 0));
-      blocks.xy[lane] += Real(own(0, 1));
-      blocks.xz[lane] += Real(own(0, 2));
-      blocks.yy[lane] += Real(own(1, 1));
-      blocks.yz[lane] += Real(own(1, 2));
-      blocks.zz[lane] += Real(own(2, 2));
+      add_matrix(own, corner.own - strip.first, blocks);
     });
   }
 
@@ -187,7 +181,7 @@ class HingeBendingForce final : public CompiledEffect<Real> {
 
   double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
-    for_each_corner_of(strip, [&](const auto& corner) {
+    for_each_corner(slots_, strip, [&](const auto& corner) {
       const double rest = std::atan2(corner.coefficients[2], corner.coefficients[1]);
       const HingeCorners at = corners(strip.state, corner);
       const HingeAngle now = hinge_angle(at);
@@ -216,12 +210,6 @@ class HingeBendingForce final : public CompiledEffect<Real> {
     for (std::size_t c = 0; c < at.size(); ++c)
       at[c] = state.position(corner.particles[c]).template cast<double>();
     return at;
-  }
-
-  template <class Visit>
-  void for_each_corner_of(const Strip<Real>& strip, const Visit& visit) const {
-    const std::size_t begin = strip.first / block_size;
-    for_each_corner(slots_, begin, begin + strip.lanes / block_size, visit);
   }
 
   Real damping_;  // [s]

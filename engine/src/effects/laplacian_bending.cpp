@@ -115,7 +115,7 @@ class LaplacianBendingForce final : public CompiledEffect<Real> {
 
   void add_derivative(const Strip<Real>& strip, double, const DerivativeWeights<Real>& weights,
                       StripBlocks<Real>& blocks) const override {
-    for_each_corner_of(strip, [&](const auto& corner) {
+    for_each_corner(slots_, strip, [&](const auto& corner) {
       const double w = corner.role == 1 ? -2.0 : 1.0;
       const Real own = weights.stiffness * Real(w * w * corner.coefficients[0]);
       const std::size_t lane = corner.own - strip.first;
@@ -137,7 +137,7 @@ class LaplacianBendingForce final : public CompiledEffect<Real> {
 
   double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
-    for_each_corner_of(strip, [&](const auto& corner) {
+    for_each_corner(slots_, strip, [&](const auto& corner) {
       const auto at = [&](std::size_t c) -> Vec3 {
         return strip.state.position(corner.particles[c]).template cast<double>();
       };
@@ -151,12 +151,6 @@ class LaplacianBendingForce final : public CompiledEffect<Real> {
   }
 
  private:
-  template <class Visit>
-  void for_each_corner_of(const Strip<Real>& strip, const Visit& visit) const {
-    const std::size_t begin = strip.first / block_size;
-    for_each_corner(slots_, begin, begin + strip.lanes / block_size, visit);
-  }
-
   ElementSlots<Real> slots_;
 };
 

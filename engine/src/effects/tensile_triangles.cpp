@@ -226,16 +226,10 @@ class TensileForce final : public CompiledEffect<Real> {
   void add_derivative(const Strip<Real>& strip, double, const DerivativeWeights<Real>& weights,
                       StripBlocks<Real>& blocks) const override {
     const double stretching = double(stretching_weight(weights)), turning = double(weights.stiffness);
-    for_each_corner_of(strip, [&](const auto& corner) {
+    for_each_corner(slots_, strip, [&](const auto& corner) {
       const Eigen::Matrix3d own =
           own_derivative(strained(corner, strip.state), corner.role, stretching, turning);
-      const std::size_t lane = corner.own - strip.first;
-      blocks.xx[lane] += Real(own(0, 0));
-      blocks.xy[lane] += Real(own(0, 1));
-      blocks.xz[lane] += Real(own(0, 2));
-      blocks.yy[lane] += Real(own(1, 1));
-      blocks.yz[lane] += Real(own(1, 2));
-      blocks.zz[lane] += Real(own(2, 2));
+      add_matrix(own, corner.own - strip.first, blocks);
     });
   }
 
@@ -260,7 +254,7 @@ class TensileForce final : public CompiledEffect<Real> {
 
   double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
-    for_each_corner_of(strip, [&](const auto& corner) {
+    for_each_corner(slots_, strip, [&](const auto& corner) {
       const StrainedTriangle triangle = strained(corner, strip.state);
       const Vec3& stretch = triangle.stretch;
       sum += stretch.dot(triangle.stiffness.matrix() * stretch) / 12.0;
@@ -278,12 +272,6 @@ class TensileForce final : public CompiledEffect<Real> {
   /// The rate of strain is resisted as strain is.
   Real stretching_weight(const DerivativeWeights<Real>& weights) const {
     return weights.stiffness + damping_ * weights.damping;
-  }
-
-  template <class Visit>
-  void for_each_corner_of(const Strip<Real>& strip, const Visit& visit) const {
-    const std::size_t begin = strip.first / block_size;
-    for_each_corner(slots_, begin, begin + strip.lanes / block_size, visit);
   }
 
   ElementSlots<Real> slots_;

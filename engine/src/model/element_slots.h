@@ -10,6 +10,7 @@
 #include "aligned.h"
 #include "model/order.h"
 #include "state.h"
+#include "strip.h"
 
 namespace hooke {
 
@@ -125,6 +126,13 @@ void for_each_corner(const ElementSlots<Real>& slots, std::size_t begin, std::si
       }
     }
   }
+}
+
+/// Likewise for those of a strip.
+template <class Real, class Visit>
+void for_each_corner(const ElementSlots<Real>& slots, const Strip<Real>& strip, const Visit& visit) {
+  const std::size_t begin = strip.first / block_size;
+  for_each_corner(slots, begin, begin + strip.lanes / block_size, visit);
 }
 
 }  // namespace hooke

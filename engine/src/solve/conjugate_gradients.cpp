@@ -121,7 +121,6 @@ class ConjugateGradients final : public DirectionSolver<Real> {
     direction.set_zero();
     residual_ = residual;
     copy_positions(at);
-    forces_.effects().prepare(at, time, executor_);
     sum([&](std::size_t begin, std::size_t end, LaneSums&) {
       linearise(Strip<Real>(at, begin, end), time, begin, end);
     });

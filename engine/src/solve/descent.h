@@ -27,7 +27,7 @@ class DirectionSolver {
   /// exactly.
   virtual void note_change(double /*tolerances*/) {}
 
-  /// `at` is the state whose residual is given.
+  /// `at` is the state whose residual is given, and which the forces have been prepared for.
   virtual Result solve(const ImplicitStage<Real>& stage, const State<Real>& at,
                        const ParticleVectors<Real>& residual, ParticleVectors<Real>& direction) = 0;
 
