@@ -77,9 +77,9 @@ struct ParticleWind {
 /// Wind on the scene's triangles. With w the velocity of the air against a triangle of area A, and n its unit
 /// normal on the side with n.w >= 0,
 ///   F = 1/2 rho A (n.w) (drag w + lift (|w| n - (n.w) w / |w|)),
-/// a third of it on each corner. The triangle is as it lies now, its velocity is the mean of its corners' and
-/// the air's is that at its centroid; a triangle without an area has no force. It depends on positions and
-/// velocities alone, and so not on the step.
+/// a third of it on each corner. The triangle is as it lies now, its velocity and the air's are the means of
+/// those at its corners; a triangle without an area has no force. It depends on positions and velocities
+/// alone, and so not on the step.
 ///
 /// The limit on the step counts the wind at its strongest, as far as that is known (of a callback: as it is
 /// at the start), and the scene's fastest particle at the start; cloth that moves faster against the air is

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include <Eigen/Geometry>
 
@@ -7,6 +8,7 @@
 #include "effects/field_at.h"
 #include "effects/field_checks.h"
 #include "effects/largest_value.h"
+#include "kernels/flush_subnormals.h"
 #include "model/element_slots.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -25,18 +27,10 @@ struct WindCoefficients {
   Real drag, lift;  ///< times a sixth of the density [kg/m^3]
 };
 
+/// The same everywhere.
 template <class Real>
-struct UniformAir {
+struct AirVelocity {
   Real x, y, z;  ///< [m/s]
-};
-
-/// Air whose velocity is asked for place by place. A vector of lanes at a time, as arrays; lanes where
-/// `there` is zero have no triangle.
-template <class Real>
-struct AirAtPlaces {
-  const void* field;
-  void (*evaluate)(const void* field, std::size_t lanes, const Real* there, const Real* const* place,
-                   Real* const* air);
 };
 
 }  // namespace hooke
@@ -47,39 +41,21 @@ namespace hooke {
 namespace HWY_NAMESPACE {
 namespace {
 
-template <class D, class Real, class V>
-HWY_INLINE Vector3<V> velocity_of(D d, const UniformAir<Real>& air, V, const Vector3<V>&) {
-  return {hn::Set(d, air.x), hn::Set(d, air.y), hn::Set(d, air.z)};
-}
-
-template <class D, class Real, class V>
-HWY_INLINE Vector3<V> velocity_of(D d, const AirAtPlaces<Real>& air, V there, const Vector3<V>& place) {
-  alignas(cache_line) Real marks[block_size], p[3][block_size], u[3][block_size];
-  hn::Store(there, d, marks);
-  hn::Store(place.x, d, p[0]);
-  hn::Store(place.y, d, p[1]);
-  hn::Store(place.z, d, p[2]);
-  const Real* const places[] = {p[0], p[1], p[2]};
-  Real* const airs[] = {u[0], u[1], u[2]};
-  air.evaluate(air.field, hn::Lanes(d), marks, places, airs);
-  return {hn::Load(d, u[0]), hn::Load(d, u[1]), hn::Load(d, u[2])};
-}
-
 /// The same third of a triangle's force on each of its corners. With N the cross product of two edges, A =
 /// |N| / 2, it is written so that a division by |N| or |w| comes late, and of none that vanishes.
-template <class Real, class Air>
+template <class Real>
 struct WindLaw {
   static constexpr std::size_t corners = 3, coefficients = 1;
   static constexpr bool velocities = true;
   WindCoefficients<Real> of;
-  Air air;
+  AirVelocity<Real> air;
 
   template <std::size_t, class D, class Element>
   HWY_INLINE auto force(D d, const Element& e) const {
     const auto third = hn::Set(d, Real(1.0 / 3.0)), half = hn::Set(d, Real(0.5));
     const auto least = hn::Set(d, std::numeric_limits<Real>::min());
-    const auto place = scaled(third, e.x[0] + e.x[1] + e.x[2]);
-    const auto w = velocity_of(d, air, e.c[0], place) - scaled(third, e.v[0] + e.v[1] + e.v[2]);
+    const Vector3<hn::Vec<D>> u{hn::Set(d, air.x), hn::Set(d, air.y), hn::Set(d, air.z)};
+    const auto w = u - scaled(third, e.v[0] + e.v[1] + e.v[2]);
     const auto N = cross(e.x[1] - e.x[0], e.x[2] - e.x[0]);
     const auto through = dot(N, w);  // 2 A (n.w), of either sign
     const auto length = hn::Sqrt(hn::Max(dot(N, N), least)), speed = hn::Sqrt(hn::Max(dot(w, w), least));
@@ -110,15 +86,10 @@ struct WindProductLaw {
 }  // namespace
 
 #define HOOKE_WIND_IN(Real)                                                                          \
-  void blow_uniform_##Real(const ElementSlots<Real>& slots, const Strip<Real>& strip,                \
-                           const WindCoefficients<Real>& of, const UniformAir<Real>& air,            \
-                           StripForce<Real>& force) {                                                \
-    add_element_forces(slots, strip, WindLaw<Real, UniformAir<Real>>{of, air}, force);               \
-  }                                                                                                  \
-  void blow_places_##Real(const ElementSlots<Real>& slots, const Strip<Real>& strip,                 \
-                          const WindCoefficients<Real>& of, const AirAtPlaces<Real>& air,            \
-                          StripForce<Real>& force) {                                                 \
-    add_element_forces(slots, strip, WindLaw<Real, AirAtPlaces<Real>>{of, air}, force);              \
+  void blow_##Real(const ElementSlots<Real>& slots, const Strip<Real>& strip,                        \
+                   const WindCoefficients<Real>& of, const AirVelocity<Real>& air,                   \
+                   StripForce<Real>& force) {                                                        \
+    add_element_forces(slots, strip, WindLaw<Real>{of, air}, force);                                 \
   }                                                                                                  \
   void multiply_wind_##Real(const ElementSlots<Real>& slots, const Strip<Real>& search, Real weight, \
                             StripForce<Real>& product) {                                             \
@@ -137,16 +108,11 @@ namespace hooke {
 namespace {
 
 #define HOOKE_WIND_IN(Real)                                                                              \
-  HWY_EXPORT(blow_uniform_##Real);                                                                       \
-  HWY_EXPORT(blow_places_##Real);                                                                        \
+  HWY_EXPORT(blow_##Real);                                                                               \
   HWY_EXPORT(multiply_wind_##Real);                                                                      \
   void blow(const ElementSlots<Real>& slots, const Strip<Real>& strip, const WindCoefficients<Real>& of, \
-            const UniformAir<Real>& air, StripForce<Real>& force) {                                      \
-    HWY_DYNAMIC_DISPATCH(blow_uniform_##Real)(slots, strip, of, air, force);                             \
-  }                                                                                                      \
-  void blow(const ElementSlots<Real>& slots, const Strip<Real>& strip, const WindCoefficients<Real>& of, \
-            const AirAtPlaces<Real>& air, StripForce<Real>& force) {                                     \
-    HWY_DYNAMIC_DISPATCH(blow_places_##Real)(slots, strip, of, air, force);                              \
+            const AirVelocity<Real>& air, StripForce<Real>& force) {                                     \
+    HWY_DYNAMIC_DISPATCH(blow_##Real)(slots, strip, of, air, force);                                     \
   }                                                                                                      \
   void multiply(const ElementSlots<Real>& slots, const Strip<Real>& search, Real weight,                 \
                 StripForce<Real>& product) {                                                             \
@@ -155,19 +121,6 @@ namespace {
 HOOKE_WIND_IN(float)
 HOOKE_WIND_IN(double)
 #undef HOOKE_WIND_IN
-
-template <class Real, class FieldAt>
-AirAtPlaces<Real> air_of(const FieldAt& field) {
-  const auto evaluate = [](const void* erased, std::size_t lanes, const Real* there, const Real* const* place,
-                           Real* const* air) {
-    const FieldAt& at = *static_cast<const FieldAt*>(erased);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const Vec3 u = there[i] != Real(0) ? at(Vec3(place[0][i], place[1][i], place[2][i])) : Vec3(0, 0, 0);
-      for (std::size_t axis = 0; axis < 3; ++axis) air[axis][i] = Real(u[Eigen::Index(axis)]);
-    }
-  };
-  return {&field, evaluate};
-}
 
 double fastest_particle(const Scene& scene) {
   double fastest = 0.0;
@@ -216,6 +169,8 @@ bool blows(const Wind& wind) {
   return wind.air_density > 0.0 && (wind.drag > 0.0 || wind.lift > 0.0);
 }
 
+/// Uniform air is the same for each triangle. Other air is looked up once for each particle, before the
+/// force: a particle's triangles all ask for it, and each of them in the sweep of each of its corners.
 template <class Real>
 class WindForce final : public CompiledEffect<Real> {
  public:
@@ -223,25 +178,41 @@ class WindForce final : public CompiledEffect<Real> {
       : wind_(wind),
         of_{Real(wind.air_density * wind.drag / 6.0), Real(wind.air_density * wind.lift / 6.0)},
         triangles_(make_element_slots<Real>(triangles_of(context.scene), context.model.order)),
-        dampers_(make_element_slots<Real>(dampers_of(wind, context.scene), context.model.order)) {}
+        dampers_(make_element_slots<Real>(dampers_of(wind, context.scene), context.model.order)) {
+    if (!uniform()) against_air_.emplace(context.model.particles());
+  }
 
   /// Wind without drag and lift has no part in a step.
-  unsigned parts() const override { return blows(wind_) ? has_force | is_coupled | has_own_derivative : 0; }
+  unsigned parts() const override {
+    if (!blows(wind_)) return 0;
+    return has_force | is_coupled | has_own_derivative | (uniform() ? 0u : needs_preparation);
+  }
+
+  void prepare(const State<Real>& state, double time, Executor& executor) override {
+    executor.parallel_for(block_count(state.size()), strip_blocks, [&](std::size_t begin, std::size_t end) {
+      const FlushSubnormals flush;
+      // A field's function is for one thread alone.
+      with_field_at(wind_.velocity, wind_.envelope, time, [&](const auto& field) {
+        for (std::size_t block = begin; block < end; ++block) {
+          if (has_triangles(block)) subtract_air(field, Strip<Real>(state, block, block + 1));
+        }
+      });
+    });
+  }
 
   void add_force(const Strip<Real>& strip, double time, StripForce<Real>& force) const override {
-    if (const auto* uniform = std::get_if<UniformField>(&wind_.velocity)) {
-      const Vec3 u = factor_at(wind_.envelope, time) * uniform->value;
-      blow(triangles_, strip, of_, UniformAir<Real>{Real(u.x()), Real(u.y()), Real(u.z())}, force);
+    if (const auto* air = std::get_if<UniformField>(&wind_.velocity)) {
+      const Vec3 u = factor_at(wind_.envelope, time) * air->value;
+      blow(triangles_, strip, of_, {Real(u.x()), Real(u.y()), Real(u.z())}, force);
       return;
     }
-    with_field_at(wind_.velocity, wind_.envelope, time,
-                  [&](const auto& field) { blow(triangles_, strip, of_, air_of<Real>(field), force); });
+    const std::size_t begin = strip.first / block_size, end = begin + strip.lanes / block_size;
+    blow(triangles_, Strip<Real>(*against_air_, begin, end), of_, {Real(0), Real(0), Real(0)}, force);
   }
 
   void add_derivative(const Strip<Real>& strip, double, const DerivativeWeights<Real>& weights,
                       StripBlocks<Real>& blocks) const override {
-    const std::size_t begin = strip.first / block_size;
-    for_each_corner(dampers_, begin, begin + strip.lanes / block_size, [&](const auto& corner) {
+    for_each_corner(dampers_, strip, [&](const auto& corner) {
       const std::size_t lane = corner.own - strip.first;
       const Real own = weights.damping * Real(corner.coefficients[0]);
       for (Real* const diagonal : {blocks.xx, blocks.yy, blocks.zz}) diagonal[lane] += own;
@@ -260,17 +231,45 @@ class WindForce final : public CompiledEffect<Real> {
   bool calls_user() const override { return std::holds_alternative<CallbackField>(wind_.velocity); }
 
   Stage stage() const override {
-    return {std::string(Wind::name),
+    const std::vector<std::string> reads = uniform()
+                                               ? std::vector<std::string>{"position", "velocity", "time"}
+                                               : std::vector<std::string>{"position", air_velocity};
+    return {std::string(Wind::name), {}, reads, {"force"}, triangles_.bytes() + dampers_.bytes()};
+  }
+
+  Stage preparation_stage() const override {
+    return {std::string(Wind::name) + " (air)",
             {},
             {"position", "velocity", "time"},
-            {"force"},
-            triangles_.bytes() + dampers_.bytes()};
+            {air_velocity},
+            against_air_->bytes()};
   }
 
  private:
+  static constexpr const char* air_velocity = "velocity against the air";
+
+  bool uniform() const { return std::holds_alternative<UniformField>(wind_.velocity); }
+
+  bool has_triangles(std::size_t block) const {
+    const auto& list = triangles_.list(block);
+    return list.begin != list.end;
+  }
+
+  template <class FieldAt>
+  void subtract_air(const FieldAt& field, const Strip<Real>& strip) {
+    for (std::size_t lane = 0; lane < strip.particles; ++lane) {
+      const Eigen::Matrix<Real, 3, 1> x(strip.x[lane], strip.y[lane], strip.z[lane]);
+      const Eigen::Matrix<Real, 3, 1> v(strip.vx[lane], strip.vy[lane], strip.vz[lane]);
+      against_air_->set_position(strip.first + lane, x);
+      against_air_->set_velocity(strip.first + lane,
+                                 v - field(x.template cast<double>()).template cast<Real>());
+    }
+  }
+
   Wind wind_;
   WindCoefficients<Real> of_;
   ElementSlots<Real> triangles_, dampers_;
+  std::optional<State<Real>> against_air_;  ///< velocities less that of the air, where it is not uniform
 };
 
 }  // namespace
