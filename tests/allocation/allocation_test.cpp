@@ -1,46 +1,11 @@
 #include <doctest/doctest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "allocation/counted_memory.h"
 #include "irregular_mesh.h"
 #include "scenes.h"
 
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* counted(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  // aligned_alloc wants a multiple of the alignment.
-  if (void* const pointer = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment))
-    return pointer;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-  return counted(bytes, alignof(std::max_align_t));
-}
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, std::size_t(alignment));
-}
-void operator delete(void* pointer) noexcept {
-  std::free(pointer);
-}
-void operator delete(void* pointer, std::size_t) noexcept {
-  std::free(pointer);
-}
-void operator delete(void* pointer, std::align_val_t) noexcept {
-  std::free(pointer);
-}
-void operator delete(void* pointer, std::size_t, std::align_val_t) noexcept {
-  std::free(pointer);
-}
-
 using namespace hooke;
+using test::allocations;
 
 TEST_CASE_TEMPLATE("a step allocates nothing, in any mode, by any method, on any number of threads", Real,
                    float, double) {
@@ -57,10 +22,10 @@ TEST_CASE_TEMPLATE("a step allocates nothing, in any mode, by any method, on any
           Simulation<Real> simulation(
               scene, {.method = method, .step = 1e-4, .accumulation = accumulation, .threads = threads});
           REQUIRE(simulation.step(20).ok());
-          const std::size_t before = allocations;
+          const std::size_t before = allocations();
           REQUIRE(before > 0);
           const Report report = simulation.step(50);
-          CHECK(allocations == before);
+          CHECK(allocations() == before);
           CHECK(report.ok());
         }
       }
@@ -76,9 +41,9 @@ TEST_CASE_TEMPLATE("a step with effects on stretch allocates nothing", Real, flo
   for (unsigned threads : {1u, 2u}) {
     Simulation<Real> simulation(scene, {.step = 1e-3, .threads = threads});
     REQUIRE(simulation.step(20).ok());
-    const std::size_t before = allocations;
+    const std::size_t before = allocations();
     const Report report = simulation.step(50);
-    CHECK(allocations == before);
+    CHECK(allocations() == before);
     CHECK(report.limit_sweeps > 0);
   }
 }

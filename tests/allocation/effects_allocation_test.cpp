@@ -1,0 +1,62 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "allocation/counted_memory.h"
+#include "effects/all_effects.h"
+
+using namespace hooke;
+using namespace hooke::test;
+
+namespace {
+
+using Subset = std::vector<bool>;
+
+/// What a simulation with these effects holds beside its states [B]: the allocator's count.
+double held_by(const std::vector<NamedEffect>& all, const Subset& named) {
+  Scene scene = ball_for_effects();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (named[i]) scene.effects.push_back(all[i].effect);
+  }
+  const std::size_t before = held_bytes();
+  double held = 0.0;
+  {
+    const Simulation<float> simulation(scene, {.step = 2e-4, .on_trouble = OnTrouble::ignore, .threads = 1});
+    held = double(held_bytes() - before) - double(simulation.plan().state_bytes);
+  }
+  CHECK(held_bytes() == before);
+  return held;
+}
+
+Subset only(std::size_t effect, std::size_t count) {
+  Subset named(count);
+  named[effect] = true;
+  return named;
+}
+
+}  // namespace
+
+TEST_CASE("random subsets of effects hold what each of theirs holds alone, by the allocator's count") {
+  const auto all = one_of_each_effect();
+  const double bare = held_by(all, Subset(all.size()));
+  std::vector<double> of_each;
+  for (std::size_t i = 0; i < all.size(); ++i) of_each.push_back(held_by(all, only(i, all.size())) - bare);
+
+  // Lists of effects and of stages grow in leaps, so they hold more or less room that is not used.
+  constexpr double leap = 256.0;
+  std::mt19937 random(17);
+  for (int round = 0; round < 500; ++round) {
+    Subset named(all.size());
+    double expected = bare, leaps = leap;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      named[i] = (random() & 1u) != 0;
+      if (!named[i]) continue;
+      expected += of_each[i];
+      leaps += leap;
+    }
+    CHECK(std::abs(held_by(all, named) - expected) < leaps);
+  }
+  CHECK(held_by(all, Subset(all.size())) == bare);
+}
