@@ -56,30 +56,6 @@ double half_period(const Scene& scene, Simulation<double>& simulation, double ab
   throw std::runtime_error("a membrane does not swing back");
 }
 
-/// Of a bending sheet along its rows and columns: k = D b / a^3 with lines b = a apart, half of it on the
-/// rim.
-LaplacianBending bending_lines(const SheetShape& shape, double stiffness) {
-  LaplacianBending bending;
-  const double k = stiffness / (shape.cell * shape.cell);
-  const auto add_line = [&](Index first, Index middle, Index last, bool rim) {
-    bending.first.push_back(first);
-    bending.middle.push_back(middle);
-    bending.last.push_back(last);
-    bending.stiffness.push_back(rim ? 0.5 * k : k);
-  };
-  for (Index j = 0; j <= shape.rows; ++j) {
-    for (Index i = 0; i <= shape.columns; ++i) {
-      if (i > 0 && i < shape.columns)
-        add_line(shape.particle(i - 1, j), shape.particle(i, j), shape.particle(i + 1, j),
-                 j == 0 || j == shape.rows);
-      if (j > 0 && j < shape.rows)
-        add_line(shape.particle(i, j - 1), shape.particle(i, j), shape.particle(i, j + 1),
-                 i == 0 || i == shape.columns);
-    }
-  }
-  return bending;
-}
-
 }  // namespace
 
 double relative_membrane_frequency(Index n, Pattern pattern, Mode mode) {
@@ -106,7 +82,7 @@ double drape_depth(Index n, Mode mode) {
   constexpr double nearer = 0.05;
   scene.pin(shape.particle(0, 0), {{0.0, Vec3::Zero()}, {1.0, {nearer, 0.0, 0.0}}});
   scene.pin(shape.particle(n, 0), {{0.0, Vec3::Zero()}, {1.0, {-nearer, 0.0, 0.0}}});
-  scene.effects.emplace_back(bending_lines(shape, 1e-3));
+  scene.effects.emplace_back(bending_of(GridParticles{0, n + 1, n + 1}, shape.cell, 1e-3));
   // A little aslant, so that it knows on which side to fold.
   scene.effects.emplace_back(Gravity{{0.0, -9.81, 0.1}});
   const std::vector<Vec3> now = equilibrium(scene, 0.05, 2e-6);

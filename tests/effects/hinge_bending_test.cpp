@@ -126,7 +126,7 @@ TEST_CASE("Hinge bending: the angle is right all the way round, in float too") {
     scene.add_particle(1.0, x);
   scene.triangles = {{0, 1, 2}, {1, 0, 3}};
   scene.effects = {HingeBending{.stiffness = 1.0}};
-  const double k = hinges_of(scene).at(0).stretch;
+  const double k = hinges_of(scene, scene.triangles).at(0).stretch;
   CHECK(k == doctest::Approx(1.0));
   for (int i = -179; i < 180; ++i) {
     const double angle = i * degree;
@@ -206,9 +206,9 @@ TEST_CASE("Hinge bending: three triangles at an edge are three hinges; those wit
   for (const Vec3& x : {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(-1, 0, 0.2), Vec3(-1, 0, -0.2)})
     scene.add_particle(1.0, x);
   scene.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
-  CHECK(hinges_of(scene).size() == 3);
+  CHECK(hinges_of(scene, scene.triangles).size() == 3);
   scene.particles.position[3] = scene.particles.position[4] = Vec3(0, 2, 0);
-  CHECK(hinges_of(scene).size() == 2);
+  CHECK(hinges_of(scene, scene.triangles).size() == 2);
 }
 
 TEST_CASE("Hinge bending: the bound on its stiffness holds for shapes folded to a right angle") {
@@ -286,6 +286,31 @@ TEST_CASE("Hinge bending: methods that solve equations converge with steps of a 
       for (int i = 0; i < 60; ++i) CHECK((simulation.step(1).flags & flag_not_converged) == 0);
     }
   }
+}
+
+TEST_CASE("Hinge bending: where triangles are named, only the edges between these bend") {
+  const Scene all = hinged_grid({.stiffness = 0.3}, 6, 4);
+  Scene part = all;
+  std::vector<Index> first_row;
+  for (Index t = 0; t < 10; ++t) first_row.push_back(t);
+  part.effects = {HingeBending{.stiffness = 0.3, .triangles = first_row}};
+  ForcesOfScene whole(all), some(part);
+  whole.shake(0.01, 0.0, 3);
+  some.shake(0.01, 0.0, 3);
+  const Eigen::VectorXd of_all = whole.forces_at_time(0.0), of_some = some.forces_at_time(0.0);
+  const auto at = [&](const ForcesOfScene& scene, const Eigen::VectorXd& forces, Index user) -> Vec3 {
+    return forces.segment<3>(Eigen::Index(3 * scene.model().order.engine(user)));
+  };
+  for (Index column = 0; column < 6; ++column) {
+    CHECK(at(some, of_some, column).norm() > 0.0);
+    for (Index row = 2; row < 4; ++row) CHECK(at(some, of_some, 6 * row + column).isZero());
+    CHECK(at(whole, of_all, 18 + column).norm() > 0.0);
+  }
+
+  part.effects = {HingeBending{.stiffness = 0.3, .triangles = {0, 99}}};
+  CHECK_THROWS_WITH_AS(Simulation<double>{part},
+                       doctest::Contains("hinge_bending): triangles[1] is 99, but the number of triangles is 30"),
+                       SceneError);
 }
 
 TEST_CASE("Hinge bending without triangles is a fault that says what to do") {

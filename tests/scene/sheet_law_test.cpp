@@ -130,11 +130,38 @@ TEST_CASE("an obtuse triangle whose spring would push is refused and named") {
   CHECK_NOTHROW(add(scene, mesh));
 }
 
+TEST_CASE(
+    "a material's bending stiffness is an effect of the cloth's own: along the lines of a grid, at a mesh's "
+    "edges") {
+  SheetMaterial sheet = material;
+  sheet.bending_stiffness = 0.02;
+  Scene scene = occupied_scene();
+  const ClothGrid cloth{
+      .columns = 4, .rows = 3, .spacing = 0.1, .law = CalibratedSprings{sheet}, .placement = {.scale = 2.0}};
+  const GridParticles grid = add(scene, cloth);
+  ClothMesh mesh = square(CalibratedSprings{sheet});
+  add(scene, mesh);
+  REQUIRE(scene.effects.size() == 2);
+  const auto& lines = std::get<LaplacianBending>(scene.effects[0]);
+  const LaplacianBending expected = bending_of(grid, 0.2, 0.02);
+  CHECK(lines.middle == expected.middle);
+  CHECK(lines.stiffness == expected.stiffness);
+  const auto& hinges = std::get<HingeBending>(scene.effects[1]);
+  CHECK(hinges.stiffness == 0.02);
+  CHECK(hinges.triangles == std::vector<Index>{13, 14});
+  CHECK(validate(scene).empty());
+
+  std::get<CalibratedSprings>(mesh.law).sheet.bending_stiffness = -1.0;
+  const auto messages = messages_of([&] { add(scene, mesh); });
+  REQUIRE(messages.size() == 1);
+  CHECK(messages[0].find("law.bending_stiffness is -1 N m") != std::string::npos);
+}
+
 TEST_CASE("the fabrics are what they are made of") {
   REQUIRE(fabrics[0].name == "cotton");
   CHECK(fabrics[0].sheet.modulus == doctest::Approx(261.078));
   CHECK(fabrics[0].sheet.areal_density == doctest::Approx(0.1502868));
-  CHECK(fabrics[0].bending_stiffness == doctest::Approx(2.3382e-6).epsilon(1e-4));
+  CHECK(fabrics[0].sheet.bending_stiffness == doctest::Approx(2.3382e-6).epsilon(1e-4));
   for (const Fabric& fabric : fabrics) {
     CAPTURE(fabric.name);
     Scene scene;

@@ -33,7 +33,7 @@ struct Placement {
 /// particle (0, 0) is at the origin. Springs as in Provot 1995: structural (to the 4 neighbours), shear
 /// (diagonals), bend (to the second neighbour). Each particle's mass is its share of the area, so the cloth's
 /// mass does not depend on the resolution. With another law than naive springs its material counts in place
-/// of areal_density, stretch, shear, bend and damping; bending is left to the scene's effects.
+/// of areal_density, stretch, shear, bend and damping.
 struct ClothGrid {
   Index columns = 32;          ///< particles along x, >= 2
   Index rows = 32;             ///< particles along y, >= 2
@@ -74,7 +74,7 @@ GridParticles add(Scene& scene, const ClothGrid& cloth);
 /// a shared edge a bend spring (an edge of more than two triangles, each pair of them). A third of each
 /// triangle's mass goes to each corner. Vertices closer than `weld_tolerance` become one particle, so a seam
 /// holds. With another law than naive springs its material counts in place of areal_density, stretch, bend
-/// and damping, and has no bending stiffness: name HingeBending among the scene's effects.
+/// and damping.
 struct ClothMesh {
   std::vector<Vec3> vertices = {};       ///< [m]
   std::vector<Triangle> triangles = {};  ///< into `vertices`

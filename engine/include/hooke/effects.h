@@ -143,9 +143,10 @@ struct GroundPlane {
 /// directions than in others (docs/bending.md). A triangle that has no area at a time, but for rounding, has
 /// no normal, and its hinges no force then; two that have none at the start have no hinge.
 struct HingeBending {
-  double stiffness = 0.0;    ///< D [N m], >= 0
-  double damping = 0.0;      ///< of the rate of theta, over the stiffness [s], >= 0
-  bool flat_at_rest = true;  ///< theta0 = 0; else it is that of the start
+  double stiffness = 0.0;             ///< D [N m], >= 0
+  double damping = 0.0;               ///< of the rate of theta, over the stiffness [s], >= 0
+  bool flat_at_rest = true;           ///< theta0 = 0; else it is that of the start
+  std::vector<Index> triangles = {};  ///< of the scene; none: all of these
 
   static constexpr std::string_view name = "hinge_bending";
   template <class Self, class Visit>
@@ -153,6 +154,7 @@ struct HingeBending {
     visit("stiffness", self.stiffness);
     visit("damping", self.damping);
     visit("flat_at_rest", self.flat_at_rest);
+    visit("triangles", self.triangles);
   }
 };
 

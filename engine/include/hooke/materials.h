@@ -9,12 +9,14 @@
 
 namespace hooke {
 
-/// A sheet that is equally stiff in all directions.
+/// A sheet that is equally stiff in all directions. What resists bending is the effect LaplacianBending in a
+/// grid and HingeBending in a mesh, which the builders add where there is a bending stiffness.
 struct SheetMaterial {
   double modulus = 0.0;              ///< Young's modulus times thickness [N/m], > 0
   double poisson_ratio = 1.0 / 3.0;  ///< [1], > -1 and < 1
   double areal_density = 0.2;        ///< [kg/m^2], > 0
   double damping = 0.0;              ///< of the rate of strain, over the stiffness [s], >= 0
+  double bending_stiffness = 0.0;    ///< D [N m], >= 0
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -22,23 +24,25 @@ struct SheetMaterial {
     visit("poisson_ratio", self.poisson_ratio);
     visit("areal_density", self.areal_density);
     visit("damping", self.damping);
+    visit("bending_stiffness", self.bending_stiffness);
   }
 };
 
 struct Fabric {
   std::string_view name;
   SheetMaterial sheet;
-  double bending_stiffness;  ///< D of HingeBending or LaplacianBending [N m]
 };
 
 /// A fabric of this Young's modulus E [Pa], Poisson's ratio nu [1], density [kg/m^3] and thickness t [m]:
 /// its sheet's modulus is E t, D = E t^3 / (12 (1 - nu^2)).
 constexpr Fabric fabric_of(std::string_view name, double young, double poisson_ratio, double density,
                            double thickness) {
-  return {
-      name,
-      {.modulus = young * thickness, .poisson_ratio = poisson_ratio, .areal_density = density * thickness},
-      young * thickness * thickness * thickness / (12.0 * (1.0 - poisson_ratio * poisson_ratio))};
+  return {name,
+          {.modulus = young * thickness,
+           .poisson_ratio = poisson_ratio,
+           .areal_density = density * thickness,
+           .bending_stiffness =
+               young * thickness * thickness * thickness / (12.0 * (1.0 - poisson_ratio * poisson_ratio))}};
 }
 
 /// Real fabrics, with the values of the scenes of Li, Kaufman, Jiang 2021 (Codimensional Incremental

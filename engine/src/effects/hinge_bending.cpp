@@ -3,6 +3,7 @@
 #include "effects/effect_functions.h"
 #include "model/element_slots.h"
 #include "model/hinges.h"
+#include "scene/chosen_triangles.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "effects/hinge_bending.cpp"
@@ -134,7 +135,7 @@ void multiply(const ElementSlots<double>& slots, const Strip<double>& search, do
 Elements elements_of(const HingeBending& bending, const Scene& scene) {
   Elements elements{4, 3};
   if (bending.stiffness == 0.0) return elements;
-  for (const Hinge& hinge : hinges_of(scene)) {
+  for (const Hinge& hinge : hinges_of(scene, chosen_triangles(scene, bending.triangles))) {
     const double rest = bending.flat_at_rest ? 0.0 : hinge_angle(corners_of(hinge, scene)).angle;
     const auto& p = hinge.particles;
     elements.add({p[0], p[1], p[2], p[3]},
@@ -232,7 +233,9 @@ void check_effect(const HingeBending& bending, const Scene& scene, const Element
   if (scene.triangles.empty()) {
     checks.add("the scene has no triangles that could bend",
                "give triangles, as cloth grids and meshes do, or use laplacian_bending along lines");
+    return;
   }
+  check_chosen_triangles(scene, bending.triangles, checks);
 }
 
 /// The matrix k g g^T, with g the gradients of the angle at the four corners, is at most the diagonal one of
@@ -241,7 +244,7 @@ void check_effect(const HingeBending& bending, const Scene& scene, const Element
 void add_bounds(const HingeBending& bending, const Scene& scene, HeldParticles& held) {
   constexpr double reserve = 1.5;
   if (bending.stiffness == 0.0) return;
-  for (const Hinge& hinge : hinges_of(scene)) {
+  for (const Hinge& hinge : hinges_of(scene, chosen_triangles(scene, bending.triangles))) {
     const HingeAngle at_start = hinge_angle(corners_of(hinge, scene));
     double sum = 0.0;
     for (const Vec3& gradient : at_start.gradient) sum += gradient.norm();

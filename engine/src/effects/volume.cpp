@@ -1,5 +1,6 @@
 #include "effects/effect_functions.h"
 #include "effects/enclosed_gas.h"
+#include "scene/chosen_triangles.h"
 #include "scene/closed_surface.h"
 
 namespace hooke {

@@ -35,8 +35,8 @@ HingeAngle hinge_angle(const HingeCorners& corners) {
   return hinge;
 }
 
-std::vector<Hinge> hinges_of(const Scene& scene) {
-  const std::vector<Side> sides = sides_of(scene.triangles);
+std::vector<Hinge> hinges_of(const Scene& scene, const std::vector<Triangle>& triangles) {
+  const std::vector<Side> sides = sides_of(triangles);
   std::vector<Hinge> hinges;
   for (auto side = sides.begin(); side != sides.end(); ++side) {
     const auto [low, high, corner] = *side;

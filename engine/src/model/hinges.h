@@ -26,9 +26,9 @@ struct Hinge {
   double stretch;                  ///< |e|^2 / (A1 + A2) at the start [1]
 };
 
-/// The hinges of a scene's triangles, in the order of their edges. An edge of more than two triangles makes
-/// one for each pair. Two triangles without area make none.
-std::vector<Hinge> hinges_of(const Scene& scene);
+/// The hinges of some of a scene's triangles, in the order of their edges. An edge of more than two triangles
+/// makes one for each pair. Two triangles without area make none.
+std::vector<Hinge> hinges_of(const Scene& scene, const std::vector<Triangle>& triangles);
 
 /// The corners of a hinge at the start.
 HingeCorners corners_of(const Hinge& hinge, const Scene& scene);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "scene/chosen_triangles.h"
 #include "scene/number_text.h"
 
 namespace hooke {
@@ -52,11 +53,7 @@ bool check_choice(const Scene& scene, const std::vector<Index>& chosen, const El
     checks.add("the scene has no triangles", "add those of a closed surface, or leave the effect out");
     return false;
   }
-  bool good = true;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    checks.in_range("triangles[" + std::to_string(i) + "]", chosen[i], scene.triangles.size(), "triangles");
-    good = good && chosen[i] < scene.triangles.size();
-  }
+  bool good = check_chosen_triangles(scene, chosen, checks);
   for (const Triangle& triangle : scene.triangles) {
     for (const Index corner : triangle) good = good && corner < scene.particles.position.size();
   }
@@ -64,14 +61,6 @@ bool check_choice(const Scene& scene, const std::vector<Index>& chosen, const El
 }
 
 }  // namespace
-
-std::vector<Triangle> chosen_triangles(const Scene& scene, const std::vector<Index>& chosen) {
-  if (chosen.empty()) return scene.triangles;
-  std::vector<Triangle> triangles;
-  triangles.reserve(chosen.size());
-  for (const Index number : chosen) triangles.push_back(scene.triangles[number]);
-  return triangles;
-}
 
 double enclosed_volume(const Scene& scene, const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return 0.0;

@@ -8,9 +8,6 @@
 
 namespace hooke {
 
-/// Those of the scene's triangles that `chosen` names, or all where it names none.
-std::vector<Triangle> chosen_triangles(const Scene& scene, const std::vector<Index>& chosen);
-
 /// Adds a fault unless the chosen triangles exist and enclose a volume: each edge belongs to two of them,
 /// which go through it in opposite directions, and their normals point outwards. Of the scene nothing has
 /// been checked.

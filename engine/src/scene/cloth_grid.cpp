@@ -94,6 +94,8 @@ GridParticles add(Scene& scene, const ClothGrid& cloth) {
   const std::size_t first_triangle = scene.triangles.size();
   add_triangles(scene, grid);
   add_tensile_sheet(scene, cloth.law, first_triangle);
+  if (const double stiffness = bending_stiffness_of(cloth.law); stiffness > 0.0)
+    scene.effects.emplace_back(bending_of(grid, cloth.spacing * cloth.placement.scale, stiffness));
   return grid;
 }
 

@@ -146,6 +146,9 @@ MeshParticles add(Scene& scene, const ClothMesh& cloth) {
   for (const auto& [a, b, c] : parts.mesh.triangles)
     scene.triangles.push_back({first + a, first + b, first + c});
   add_tensile_sheet(scene, cloth.law, first_triangle);
+  if (const double stiffness = bending_stiffness_of(cloth.law); stiffness > 0.0)
+    scene.effects.emplace_back(
+        HingeBending{.stiffness = stiffness, .triangles = triangles_from(scene, first_triangle)});
 
   MeshParticles particles = std::move(parts.mesh.particles);
   particles.first = first;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include <hooke/builders.h>
 
@@ -19,6 +20,12 @@ double areal_density_of(const Cloth& cloth) {
   const SheetMaterial* sheet = sheet_in(cloth.law);
   return sheet == nullptr ? cloth.areal_density : sheet->areal_density;
 }
+
+/// D [N m] of the law's material; 0 where it has none.
+double bending_stiffness_of(const SheetLaw& law);
+
+/// The numbers of the scene's triangles from `first_triangle` on.
+std::vector<Index> triangles_from(const Scene& scene, std::size_t first_triangle);
 
 /// Where the law asks for it, adds TensileTriangles for the scene's triangles from `first_triangle` on.
 void add_tensile_sheet(Scene& scene, const SheetLaw& law, std::size_t first_triangle);
