@@ -24,10 +24,10 @@ namespace {
 struct Effort {
   Index columns;
   std::uint64_t steps;
-  int turns;
+  int turns, turns_unnamed;
 };
 
-constexpr Effort full{128, 40, 31}, quick{16, 4, 3};
+constexpr Effort full{128, 40, 31, 301}, quick{16, 4, 3, 3};
 
 Settings settings() {
   return {.step = 1e-5, .unstable_step = UnstableStep::take, .on_trouble = OnTrouble::ignore, .threads = 1};
@@ -79,31 +79,29 @@ std::string fusion(const Share& share) {
 /// else.
 double time_unnamed(const PricedEffect& priced, Simulation<float>& bare, const Effort& effort) {
   Simulation<float> again(priced.bare, settings());
-  const double ratio = paired_times(bare, again, effort.steps, effort.turns).ratio;
+  const double ratio = paired_times(bare, again, effort.steps, effort.turns_unnamed).ratio;
   if (again.state_hash() != bare.state_hash())
     throw std::runtime_error(priced.name + ": two runs of the scene without it differ");
   return ratio;
 }
 
-struct Unnamed {
-  double least = 1.0, most = 1.0;  ///< ratios of times
-};
-
-void print_row(const PricedEffect& priced, const Effort& effort, Unnamed& unnamed) {
+/// Returns time_unnamed().
+double print_row(const PricedEffect& priced, const Effort& effort) {
   Scene with_it = priced.bare;
   with_it.effects.push_back(priced.effect);
   Simulation<float> bare(priced.bare, settings()), with(with_it, settings());
-  const double noise = time_unnamed(priced, bare, effort);
-  unnamed = {std::min(unnamed.least, noise), std::max(unnamed.most, noise)};
+  const double unnamed = time_unnamed(priced, bare, effort);
   const PairedTimes times = paired_times(bare, with, effort.steps, effort.turns);
   const std::string name(std::visit([](const auto& data) { return data.name; }, priced.effect));
   const Share share = share_of(with.plan(), name);
   if (share.sweeps.empty()) throw std::runtime_error(priced.name + ": the plan has no stage of it");
   const double nanoseconds = 1e9 * (times.second - times.first) / priced.elements;
   std::printf("| %s | %s | %.2f | %.2f | %.3f | %.1f | %s | %s | %s |\n", priced.name.c_str(),
-              priced.element.c_str(), nanoseconds, times.ratio, noise, double(share.bytes) / priced.elements,
-              joined(share.reads).c_str(), joined(share.writes).c_str(), fusion(share).c_str());
+              priced.element.c_str(), nanoseconds, times.ratio, unnamed,
+              double(share.bytes) / priced.elements, joined(share.reads).c_str(),
+              joined(share.writes).c_str(), fusion(share).c_str());
   std::fflush(stdout);
+  return unnamed;
 }
 
 void print_page(const Effort& effort) {
@@ -118,7 +116,7 @@ needed a block of as many; float, symplectic Euler, one thread. Both take %llu s
 - **ns**: what the effect adds to a step [ns] for each of its elements; a difference of medians. What changes how the rest of a step
   runs, such as a sweep more, is in it.
 - **step**: a step with it over a step without it, median of the ratios of the turns.
-- **not named**: the same for two scenes that do not name it. They must end in the same bits.
+- **not named**: the same for two scenes that do not name it, by %d turns. They must end in the same bits.
 - **bytes**: what its stages hold, for each element.
 - **fused**: whether it runs in the sweep over particles that does all the rest of a step; else the sweeps that it adds.
 
@@ -126,13 +124,17 @@ needed a block of as many; float, symplectic Euler, one thread. Both take %llu s
 |---|---|---|---|---|---|---|---|---|
 )",
               program::processor_name().c_str(), program::compiler_name().c_str(), effort.columns,
-              effort.columns, static_cast<unsigned long long>(effort.steps), effort.turns);
-  Unnamed unnamed;
-  for (const PricedEffect& priced : priced_effects(effort.columns)) print_row(priced, effort, unnamed);
+              effort.columns, static_cast<unsigned long long>(effort.steps), effort.turns,
+              effort.turns_unnamed);
+  std::vector<double> unnamed;
+  for (const PricedEffect& priced : priced_effects(effort.columns))
+    unnamed.push_back(print_row(priced, effort));
+  std::sort(unnamed.begin(), unnamed.end());
   std::printf(
-      "\nScenes that do not name an effect take from %.3f to %.3f times the time of each other: so much is "
-      "noise.\n",
-      unnamed.least, unnamed.most);
+      "\nTwo scenes that do not name an effect take %.3f to %.3f times the time of each other, in the median "
+      "%.3f: so much "
+      "is noise.\n",
+      unnamed.front(), unnamed.back(), unnamed[unnamed.size() / 2]);
 }
 
 }  // namespace
