@@ -29,10 +29,13 @@ std::vector<Index> all_springs(const Scene& scene) {
   return springs;
 }
 
-/// A tenth of the particles.
+/// A tenth of the particles, none of them pinned.
 std::vector<Index> some_particles(const Scene& scene) {
   std::vector<Index> particles;
-  for (Index i = 5; i < scene.particles.size(); i += 10) particles.push_back(i);
+  for (Index i = 5; i < scene.particles.size(); i += 10) {
+    const auto is_here = [&](const Pin& pin) { return pin.particle == i; };
+    if (std::ranges::none_of(scene.pins, is_here)) particles.push_back(i);
+  }
   return particles;
 }
 

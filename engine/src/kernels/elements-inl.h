@@ -113,6 +113,27 @@ HWY_INLINE void for_each_lane_element(const ElementSlots<Real>& slots,
   }
 }
 
+/// The numbers of the elements in lanes, of slots that keep them.
+template <class D, class Real>
+HWY_INLINE auto element_numbers(D, const ElementSlots<Real>& slots,
+                                const typename ElementSlots<Real>::Slot& slot, std::size_t lane) {
+  return hn::LoadU(hn::RebindToSigned<D>(), slots.element_row(slot) + lane);
+}
+
+/// The force of a law on the corner `role` of each element. A law with a `memory`, of one value for each
+/// element, is given those of the elements.
+template <std::size_t role, class D, class Law, class Real, class Element>
+HWY_INLINE auto force_on(D d, const Law& law, const ElementSlots<Real>& slots,
+                         const typename ElementSlots<Real>::Slot& slot, const Element& element,
+                         std::size_t lane) {
+  if constexpr (requires { law.memory; }) {
+    const auto number = element_numbers(d, slots, slot, lane);
+    return law.template force<role>(d, element, hn::GatherIndex(d, law.memory, number));
+  } else {
+    return law.template force<role>(d, element);
+  }
+}
+
 /// Adds law.template force<role>(d, element), the force on the corner `role` of each element, to the
 /// particles of a strip. A Law has `corners`, `coefficients` and `velocities`. Lanes whose first coefficient
 /// is zero get nothing, whatever the law makes of them.
@@ -128,7 +149,7 @@ HWY_INLINE void add_element_forces(const ElementSlots<Real>& slots, const Strip<
       with_role<Law::corners>(slot.role, [&](auto role) HWY_ATTR {
         for_each_lane_element<Law::corners, Law::coefficients, Law::velocities>(
             slots, slot, strip.state, block, [&](auto d, const auto& element, std::size_t lane) HWY_ATTR {
-              const auto f = law.template force<decltype(role)::value>(d, element);
+              const auto f = force_on<decltype(role)::value>(d, law, slots, slot, element, lane);
               const auto there = hn::Ne(element.c[0], hn::Zero(d));
               const auto add = [&](auto value, Real* sum) HWY_ATTR {
                 hn::Store(hn::Add(hn::Load(d, sum), hn::IfThenElseZero(there, value)), d, sum);
