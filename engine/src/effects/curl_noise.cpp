@@ -2,22 +2,103 @@
 
 #include <cmath>
 
-#include <Eigen/Geometry>
-
 #include "effects/lattice_random.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "effects/curl_noise.cpp"
+#include <hwy/foreach_target.h>
+
+#include "kernels/elements-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hooke {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Along each axis and one unused: the place in a cell, from 0 to 1, the weight of its upper corners, which
+/// is 6 s^5 - 15 s^4 + 10 s^3, and its derivative.
+struct CellWeights {
+  alignas(cache_line) double s[4], weight[4], change[4];
+
+  explicit HWY_INLINE CellWeights(const double* place) {
+    const hn::CappedTag<double, 4> d;
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
+      const auto x = hn::LoadU(d, place + i), below = hn::Sub(x, hn::Set(d, 1.0));
+      const auto bracket = hn::MulAdd(hn::MulSub(hn::Set(d, 6.0), x, hn::Set(d, 15.0)), x, hn::Set(d, 10.0));
+      const auto square = hn::Mul(x, x);
+      hn::Store(x, d, s + i);
+      hn::Store(hn::Mul(hn::Mul(square, x), bracket), d, weight + i);
+      hn::Store(hn::Mul(hn::Mul(hn::Set(d, 30.0), square), hn::Mul(below, below)), d, change + i);
+    }
+  }
+};
+
+/// Of one axis, at corners of which those lie at its end where `end` is 1 and not 0.
+template <class V>
+struct CornerWeights {
+  V distance, weight, change;
+
+  template <class D>
+  HWY_INLINE CornerWeights(D d, const CellWeights& cell, std::size_t axis, V end) {
+    const auto is_upper = hn::Gt(end, hn::Zero(d));
+    const V upper = hn::Set(d, cell.weight[axis]), slope = hn::Set(d, cell.change[axis]);
+    distance = hn::Sub(hn::Set(d, cell.s[axis]), end);
+    weight = hn::IfThenElse(is_upper, upper, hn::Sub(hn::Set(d, 1.0), upper));
+    change = hn::IfThenElse(is_upper, slope, hn::Neg(slope));
+  }
+};
+
+}  // namespace
+
+/// Of the potential: the sum over corners of w G d, whose curl is w curl(G d) + grad(w) x G d.
+void curl_in_cell(const NoiseCell& cell, const double* place, double* result) {
+  const CellWeights weights(place);
+  alignas(cache_line) static constexpr double upper[3][8] = {
+      {0, 1, 0, 1, 0, 1, 0, 1}, {0, 0, 1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}};
+  const hn::CappedTag<double, 8> d;
+  using V = hn::Vec<decltype(d)>;
+  Vector3<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+  for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
+    const auto at = [&](const double(&values)[3][8]) HWY_ATTR {
+      return Vector3<V>{hn::Load(d, values[0] + i), hn::Load(d, values[1] + i), hn::Load(d, values[2] + i)};
+    };
+    const Vector3<V> end = at(upper);
+    const CornerWeights<V> x(d, weights, 0, end.x), y(d, weights, 1, end.y), z(d, weights, 2, end.z);
+    const Vector3<V> distance{x.distance, y.distance, z.distance};
+    const V yz = hn::Mul(y.weight, z.weight);
+    const Vector3<V> potential{dot(at(cell.gradient[0]), distance), dot(at(cell.gradient[1]), distance),
+                               dot(at(cell.gradient[2]), distance)};
+    const Vector3<V> change{hn::Mul(x.change, yz), hn::Mul(x.weight, hn::Mul(y.change, z.weight)),
+                            hn::Mul(x.weight, hn::Mul(y.weight, z.change))};
+    sum = sum + scaled(hn::Mul(x.weight, yz), at(cell.curl)) + cross(change, potential);
+  }
+  result[0] = hn::GetLane(hn::SumOfLanes(d, sum.x));
+  result[1] = hn::GetLane(hn::SumOfLanes(d, sum.y));
+  result[2] = hn::GetLane(hn::SumOfLanes(d, sum.z));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace hooke {
 namespace {
+
+HWY_EXPORT(curl_in_cell);
 
 /// Coordinates on the lattice that are larger have no fraction of a cell.
 constexpr double furthest = 0x1p52;
 
-/// 6 s^5 - 15 s^4 + 10 s^3, from 0 to 1 with two derivatives zero at the ends, and its derivative.
+/// 6 s^5 - 15 s^4 + 10 s^3, from 0 to 1 with two derivatives zero at the ends.
 double smooth(double s) {
   return s * s * s * (s * (s * 6.0 - 15.0) + 10.0);
 }
-double slope(double s) {
-  return 30.0 * s * s * (s - 1.0) * (s - 1.0);
+
+/// Of a number of less than 2^52 in size; std::floor is a call where SSE4.1 cannot be counted on.
+std::int64_t floor_of(double x) {
+  const auto towards_zero = std::int64_t(x);
+  return towards_zero - (double(towards_zero) > x ? 1 : 0);
 }
 
 /// Root mean square of the curl's magnitude on the lattice: with w the weight along one axis at the distance
@@ -53,13 +134,6 @@ Gradients gradients_at(std::uint64_t seed, const std::array<std::int64_t, 3>& co
   return gradients;
 }
 
-/// The weights of an axis' two corners, and their derivatives.
-struct AxisWeights {
-  explicit AxisWeights(double s) : weight{1.0 - smooth(s), smooth(s)}, change{-slope(s), slope(s)} {}
-
-  std::array<double, 2> weight, change;
-};
-
 }  // namespace
 
 CurlNoise::CurlNoise(const TurbulenceField& field, double time)
@@ -89,36 +163,32 @@ auto CurlNoise::cell_at(Octave& octave, const Corner& lowest) -> const Cell& {
   for (std::size_t i = 0; i < 8; ++i) {
     const Corner corner{lowest[0] + std::int64_t(i & 1), lowest[1] + std::int64_t((i >> 1) & 1),
                         lowest[2] + std::int64_t(i >> 2)};
-    cell.gradients[i] = gradients_at(octave.seed, corner, octave.time);
+    const Gradients g = gradients_at(octave.seed, corner, octave.time);
+    for (std::size_t component = 0; component < 3; ++component) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        cell.gradient[component][axis][i] = g[component][Eigen::Index(axis)];
+    }
+    cell.curl[0][i] = g[2].y() - g[1].z();
+    cell.curl[1][i] = g[0].z() - g[2].x();
+    cell.curl[2][i] = g[1].x() - g[0].y();
   }
   cell.lowest = lowest;
   cell.known = true;
   return cell;
 }
 
-/// Of the potential: the sum over corners of w G d, whose curl is w curl(G d) + grad(w) x G d.
 Vec3 CurlNoise::curl(Octave& octave, const Vec3& position) {
   const Vec3 place = octave.inverse_length * position;
-  const bool near = place.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < furthest;
-  if (!(near && std::abs(octave.time) < furthest)) return 0.0 * position;
-  const Vec3 floor(std::floor(place.x()), std::floor(place.y()), std::floor(place.z()));
-  const Corner lowest{std::int64_t(floor.x()), std::int64_t(floor.y()), std::int64_t(floor.z())};
-  const Cell& cell = cell_at(octave, lowest);
-
-  const Vec3 s = place - floor;
-  const AxisWeights x(s.x()), y(s.y()), z(s.z());
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < 8; ++i) {
-    const std::size_t a = i & 1, b = (i >> 1) & 1, c = i >> 2;
-    const auto& [gx, gy, gz] = cell.gradients[i];
-    const Vec3 d = s - Vec3(double(a), double(b), double(c));
-    const Vec3 own(gz.y() - gy.z(), gx.z() - gz.x(), gy.x() - gx.y());
-    const Vec3 change(x.change[a] * y.weight[b] * z.weight[c], x.weight[a] * y.change[b] * z.weight[c],
-                      x.weight[a] * y.weight[b] * z.change[c]);
-    sum +=
-        x.weight[a] * y.weight[b] * z.weight[c] * own + change.cross(Vec3(gx.dot(d), gy.dot(d), gz.dot(d)));
-  }
+  const auto is_near = [](double x) { return std::abs(x) < furthest; };
+  if (!(is_near(place.x()) && is_near(place.y()) && is_near(place.z()) && is_near(octave.time)))
+    return 0.0 * position;
+  const Corner lowest{floor_of(place.x()), floor_of(place.y()), floor_of(place.z())};
+  const double in_cell[4] = {place.x() - double(lowest[0]), place.y() - double(lowest[1]),
+                             place.z() - double(lowest[2]), 0.0};
+  Vec3 sum;
+  HWY_DYNAMIC_DISPATCH(curl_in_cell)(cell_at(octave, lowest), in_cell, sum.data());
   return octave.scale * sum;
 }
 
 }  // namespace hooke
+#endif

@@ -5,7 +5,16 @@
 
 #include <hooke/fields.h>
 
+#include "aligned.h"
+
 namespace hooke {
+
+/// What the eight corners of a lattice cell have, x fastest: the gradients of the three components of the
+/// potential there, and what their curl is.
+struct NoiseCell {
+  alignas(cache_line) double gradient[3][3][8];  ///< of each component, along each axis
+  alignas(cache_line) double curl[3][8];
+};
 
 /// The values of a TurbulenceField at one time: the curl of a vector potential, each component of which is
 /// gradient noise (Perlin 1985, with the quintic of 2002) on a lattice whose gradients change with time.
@@ -24,11 +33,9 @@ class CurlNoise {
 
   using Corner = std::array<std::int64_t, 3>;
 
-  /// A cell's eight corners, x fastest: the gradients of the three components of the potential there.
-  struct Cell {
+  struct Cell : NoiseCell {
     Corner lowest{};
     bool known = false;
-    std::array<std::array<Vec3, 3>, 8> gradients;
   };
 
   struct Octave {
