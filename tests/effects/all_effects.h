@@ -60,4 +60,15 @@ inline std::vector<NamedEffect> one_of_each_effect() {
   };
 }
 
+/// For each of some effects whether it is named.
+using Subset = std::vector<bool>;
+
+inline Scene scene_with(const std::vector<NamedEffect>& all, const Subset& named) {
+  Scene scene = ball_for_effects();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (named[i]) scene.effects.push_back(all[i].effect);
+  }
+  return scene;
+}
+
 }  // namespace hooke::test

@@ -14,16 +14,6 @@ using namespace hooke::test;
 
 namespace {
 
-using Subset = std::vector<bool>;
-
-Scene scene_with(const std::vector<NamedEffect>& all, const Subset& named) {
-  Scene scene = ball_for_effects();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (named[i]) scene.effects.push_back(all[i].effect);
-  }
-  return scene;
-}
-
 /// Whether the stage is one of this effect's.
 bool belongs_to(const Stage& stage, const NamedEffect& effect) {
   return stage.name == effect.stage || stage.name.starts_with(effect.stage + " (");

@@ -179,16 +179,20 @@ TEST_CASE("wind: the same bits on one and three threads, and none from coefficie
 }
 
 TEST_CASE("wind: methods that solve equations come to the same end as the explicit ones") {
-  const Scene scene = flag_in({UniformField{{6, 0, 3}}, RampEnvelope{.end = 0.1}});
-  Simulation<double> reference(scene, {.method = RungeKutta4{}, .step = 5e-4, .threads = 1});
-  REQUIRE(reference.step(400).ok());
-  for (const Method& method : {Method(ImplicitMidpoint{}), Method(Bdf2{}), Method(BackwardEuler{}),
-                               Method(VertexBlockDescent{.iterations = 100})}) {
-    CAPTURE(to_string(method));
-    Simulation<double> simulation(scene, {.method = method, .step = 2e-3, .threads = 1});
-    const Report report = simulation.step(100);
-    REQUIRE(report.ok());
-    CHECK(furthest_apart(simulation, reference) < 0.05);
+  for (const FieldShape& air : {FieldShape(UniformField{{6, 0, 3}}),
+                                FieldShape(TurbulenceField{.mean = {6, 0, 3}, .amplitude = 2.0})}) {
+    const Scene scene = flag_in({air, RampEnvelope{.end = 0.1}});
+    Simulation<double> reference(scene, {.method = RungeKutta4{}, .step = 5e-4, .threads = 1});
+    REQUIRE(reference.step(400).ok());
+    for (const Method& method :
+         {Method(ImplicitMidpoint{}), Method(Bdf2{}), Method(BackwardEuler{}), Method(ProjectiveDynamics{}),
+          Method(Xpbd{}), Method(VertexBlockDescent{.iterations = 100})}) {
+      CAPTURE(to_string(method));
+      Simulation<double> simulation(scene, {.method = method, .step = 2e-3, .threads = 1});
+      const Report report = simulation.step(100);
+      REQUIRE(report.ok());
+      CHECK(furthest_apart(simulation, reference) < 0.05);
+    }
   }
 }
 
