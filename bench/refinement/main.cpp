@@ -104,10 +104,8 @@ class Study {
       add("frequency", pattern, mode, 0.0, n, relative_membrane_frequency(n, pattern, mode));
   }
 
-  /// Equilibria of sheets that fold take long: not as finely.
   void drape(Mode mode) {
-    for (const Index n : finenesses(std::min(most_, Index{32})))
-      add("drape", Pattern::grid, mode, 0.0, n, drape_depth(n, mode));
+    for (const Index n : finenesses(most_)) add("drape", Pattern::grid, mode, 0.0, n, drape_depth(n, mode));
   }
 
   Index most_;
