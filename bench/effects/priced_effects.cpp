@@ -86,6 +86,11 @@ std::vector<PricedEffect> priced_effects(Index columns) {
       {"custom (serial)", sheet, CustomEffect{"custom", add_nothing_much, false}, particle, particles},
       {"strain_limit", sheet, StrainLimit{}, spring, springs},
       {"tethers", sheet, Tethers{.slack = 0.1}, particle, particles},
+      {"collider (beside it)", sheet, Collider{.shape = SphereShape{{0.0, 0.0, -2.0}, 0.5}}, particle,
+       particles},
+      {"collider (it lies on it)", sheet,
+       Collider{.shape = PlaneShape{{0.0, 0.0, 1.0}}, .thickness = 1e-5, .friction = 0.3}, particle,
+       particles},
       {"motion_script", sheet, MotionScript{some, {{0.0, {0, 0, 0}}, {1e3, {0.01, 0, 0}}}}, particle,
        of_some},
   };

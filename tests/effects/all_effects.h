@@ -57,6 +57,8 @@ inline std::vector<NamedEffect> one_of_each_effect() {
       {"strain_limit", StrainLimit{.limit = 0.005}, StrainLimit{.limit = 1e6}},
       {"tethers", Tethers{}, Tethers{.slack = 1e6}},
       {"motion_script", MotionScript{{7}, {{0.0, Vec3::Zero()}, {1.0, {0.1, 0.0, 0.0}}}}, MotionScript{}},
+      {"collider", Collider{.shape = SphereShape{{0.0, 0.0, 0.0}, 0.51}, .friction = 0.2},
+       Collider{.shape = PlaneShape{{0.0, 1.0, 0.0}, -1e6}}},
   };
 }
 

@@ -12,6 +12,7 @@
 #include <hooke/fields.h>
 #include <hooke/index.h>
 #include <hooke/keyframe.h>
+#include <hooke/shapes.h>
 #include <hooke/vec3.h>
 
 /// The effects that a scene can name, one struct of plain data each. An effect that a scene does not name is
@@ -337,6 +338,34 @@ struct Volume {
   }
 };
 
+/// A solid that particles do not get into. What a step would bring nearer to its surface than `thickness` is
+/// put back on it, along the normal. Of the velocity against the surface, what goes into it is turned back,
+/// times `restitution`; what goes along it loses at most `friction` times what the normal one was changed by
+/// (Coulomb's law, for the step: so what may stick does not creep). A particle that flies through within a
+/// step is stopped where it comes in. All takes no shorter steps; energy is only lost where the solid rests.
+///
+/// A plane needs particles, a sphere of thickness 0 too: between the particles of a cloth corners and edges
+/// may come through.
+struct Collider {
+  ColliderShape shape = PlaneShape{};
+  double thickness = 0.0;                ///< [m], >= 0
+  double friction = 0.0;                 ///< mu [1], >= 0
+  double restitution = 0.0;              ///< e [1], from 0 to 1
+  Vec3 axis{0.0, 1.0, 0.0};              ///< that it turns about; any length but zero
+  std::vector<RigidKeyframe> path = {};  ///< straight lines and even turns between; held before and after
+
+  static constexpr std::string_view name = "collider";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("shape", self.shape);
+    visit("thickness", self.thickness);
+    visit("friction", self.friction);
+    visit("restitution", self.restitution);
+    visit("axis", self.axis);
+    visit("path", self.path);
+  }
+};
+
 /// What a user's own effect sees: some particles, all spans of one length. Forces are to be added to.
 struct ParticleBatch {
   double time;                                  ///< [s]
@@ -364,6 +393,6 @@ struct CustomEffect {
 
 using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
                             LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity,
-                            Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript>;
+                            Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript, Collider>;
 
 }  // namespace hooke

@@ -19,6 +19,21 @@ struct Keyframe {
   }
 };
 
+/// A pose of a rigid body at a time: it is displaced by this, and turned by this about its axis.
+struct RigidKeyframe {
+  double time = 0.0;                 ///< [s]
+  Vec3 displacement = Vec3::Zero();  ///< [m]
+  double degrees = 0.0;              ///< [deg], right-handed; more than 360 are several turns
+
+  static constexpr std::string_view name = "rigid_keyframe";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("time", self.time);
+    visit("displacement", self.displacement);
+    visit("degrees", self.degrees);
+  }
+};
+
 /// A force at a time.
 struct ForceKeyframe {
   double time = 0.0;          ///< [s]

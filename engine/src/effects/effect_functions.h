@@ -47,6 +47,8 @@ template <class Real>
 EffectPointer<Real> compile_effect(const Tethers&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const MotionScript&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Collider&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -68,6 +70,7 @@ void check_effect(const Plasticity&, const Scene&, const ElementChecks&);
 void check_effect(const StrainLimit&, const Scene&, const ElementChecks&);
 void check_effect(const Tethers&, const Scene&, const ElementChecks&);
 void check_effect(const MotionScript&, const Scene&, const ElementChecks&);
+void check_effect(const Collider&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -89,6 +92,7 @@ void add_bounds(const Plasticity&, const Scene&, HeldParticles&);
 void add_bounds(const StrainLimit&, const Scene&, HeldParticles&);
 void add_bounds(const Tethers&, const Scene&, HeldParticles&);
 void add_bounds(const MotionScript&, const Scene&, HeldParticles&);
+void add_bounds(const Collider&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
@@ -114,6 +118,8 @@ template <>
 inline constexpr bool does_unknown_work<Tethers> = true;
 template <>
 inline constexpr bool does_unknown_work<MotionScript> = true;
+template <>
+inline constexpr bool does_unknown_work<Collider> = true;  // it may move, and begin around particles
 
 bool does_unknown_work_in(const Scene& scene);
 
@@ -128,5 +134,7 @@ template <>
 inline constexpr bool corrects_results<Tethers> = true;
 template <>
 inline constexpr bool corrects_results<MotionScript> = true;
+template <>
+inline constexpr bool corrects_results<Collider> = true;
 
 }  // namespace hooke

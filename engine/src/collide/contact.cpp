@@ -1,0 +1,225 @@
+#include "collide/contact.h"
+
+#include "state.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collide/contact.cpp"
+#include <hwy/foreach_target.h>
+
+#include "collide/shapes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hooke {
+namespace HWY_NAMESPACE {
+namespace {
+
+template <class D, class Real>
+HWY_INLINE auto set3(D d, const Real* a) {
+  return Vector3<hn::Vec<D>>{hn::Set(d, a[0]), hn::Set(d, a[1]), hn::Set(d, a[2])};
+}
+
+/// The vector in the frame of a pose: transposed rotation.
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> turned_back(D d, const Pose<Real>& pose, const Vector3<V>& a) {
+  const auto& r = pose.rotation;
+  const auto row = [&](std::size_t i) HWY_ATTR {
+    return hn::MulAdd(hn::Set(d, r[0][i]), a.x,
+                      hn::MulAdd(hn::Set(d, r[1][i]), a.y, hn::Mul(hn::Set(d, r[2][i]), a.z)));
+  };
+  return {row(0), row(1), row(2)};
+}
+
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> turned(D d, const Pose<Real>& pose, const Vector3<V>& a) {
+  const auto& r = pose.rotation;
+  const auto row = [&](std::size_t i) HWY_ATTR {
+    return hn::MulAdd(hn::Set(d, r[i][0]), a.x,
+                      hn::MulAdd(hn::Set(d, r[i][1]), a.y, hn::Mul(hn::Set(d, r[i][2]), a.z)));
+  };
+  return {row(0), row(1), row(2)};
+}
+
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> to_local(D d, const Pose<Real>& pose, const Vector3<V>& x) {
+  return turned_back(d, pose, x - set3(d, pose.origin));
+}
+
+/// How far along the way from p to q, from 0 to 1, a particle first comes to a distance from the surface; 1
+/// or more where it does not. From further away, by steps as long as what is left: it never goes past.
+template <class Shape, class Real>
+HWY_INLINE Real first_touch(const Shape& shape, Real distance, Real near, const Real* p, const Real* q) {
+  const hn::CappedTag<Real, 1> d;
+  constexpr int most_steps = 64;  // grazing ones are stopped where they are nearest
+  const auto from = set3(d, p), way = set3(d, q) - from;
+  const Real length = hn::GetLane(hn::Sqrt(dot(way, way)));
+  Real t = Real(0);
+  for (int i = 0; i < most_steps && t < Real(1); ++i) {
+    const auto place = from + scaled(hn::Set(d, t), way);
+    const Real gap = hn::GetLane(surface_at(d, shape, place).distance) - distance;
+    if (gap <= near) return t;
+    t += gap / length;
+  }
+  return t;
+}
+
+/// Moves points that have got in, or through, to where they came in first. Returns the mask of these.
+template <class D, class Shape, class Real, class V = hn::Vec<D>>
+HWY_INLINE std::uint32_t stop_at_entry(D d, const Shape& shape, Real distance, Real near, std::uint32_t lanes,
+                                       const Vector3<V>& start, Vector3<V>& end) {
+  alignas(cache_line) Real p[3][block_size], q[3][block_size];
+  hn::Store(start.x, d, p[0]), hn::Store(start.y, d, p[1]), hn::Store(start.z, d, p[2]);
+  hn::Store(end.x, d, q[0]), hn::Store(end.y, d, q[1]), hn::Store(end.z, d, q[2]);
+  std::uint32_t stopped = 0;
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    if ((lanes >> lane & 1u) == 0) continue;
+    const Real from[] = {p[0][lane], p[1][lane], p[2][lane]}, to[] = {q[0][lane], q[1][lane], q[2][lane]};
+    const Real t = first_touch(shape, distance, near, from, to);
+    if (!(t < Real(1))) continue;
+    for (std::size_t k = 0; k < 3; ++k) q[k][lane] = from[k] + t * (to[k] - from[k]);
+    stopped |= 1u << lane;
+  }
+  end = {hn::Load(d, q[0]), hn::Load(d, q[1]), hn::Load(d, q[2])};
+  return stopped;
+}
+
+template <class D>
+HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
+  const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
+  return hn::LoadMaskBits(d, bytes);
+}
+
+/// What a contact leaves of the velocity against the surface. Coulomb's law: what the surface takes of the
+/// velocity along it is at most `friction` times the change across it.
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> velocity_change(D d, const Contact<Real>& contact, const Vector3<V>& against,
+                                      const Vector3<V>& outwards) {
+  const V zero = hn::Zero(d), one = hn::Set(d, Real(1));
+  const V normal = dot(against, outwards);
+  const V change = hn::Mul(hn::Max(hn::Neg(normal), zero), hn::Set(d, Real(1) + contact.restitution));
+  const Vector3<V> along = against - scaled(normal, outwards);
+  const V speed = hn::Sqrt(dot(along, along));
+  const V most = hn::Mul(hn::Set(d, contact.friction), change);
+  const V share = hn::IfThenElse(hn::Gt(speed, most), hn::Div(most, speed), one);
+  return scaled(change, outwards) - scaled(share, along);
+}
+
+/// Stops particles that have gone through the solid within the step, or so far in that the nearest surface is
+/// not the one that they came through. Returns which. It is told by a layer below the surface, so that what
+/// slides on a surface is not taken for what goes through it.
+template <class D, class Shape, class Real, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> stop_fast(D d, const Shape& shape, const Contact<Real>& contact,
+                                 const ContactBlock<Real>& block, std::size_t lane, hn::Mask<D> is_free,
+                                 V gap, Vector3<V>& p) {
+  const Real skin = Real(0.05) * shape.inner_radius();
+  const V zero = hn::Zero(d), above = hn::Add(gap, hn::Set(d, skin));
+  const Vector3<V> start{hn::Load(d, block.x0 + lane), hn::Load(d, block.y0 + lane),
+                         hn::Load(d, block.z0 + lane)};
+  const Vector3<V> q = to_local(d, contact.before, start), way = p - q;
+  const V length = hn::Sqrt(dot(way, way));
+  const auto is_deep = hn::Lt(above, hn::Set(d, Real(-0.5) * shape.inner_radius()));
+  const auto may_be_through = hn::And(hn::Ge(above, zero), hn::Lt(above, length));
+  const auto is_fast = hn::And(is_free, hn::Or(is_deep, may_be_through));
+  if (hn::AllFalse(d, is_fast)) return is_fast;
+  const V above_before =
+      hn::Add(hn::Sub(surface_at(d, shape, q).distance, hn::Set(d, contact.thickness)), hn::Set(d, skin));
+  const auto came_in = hn::And(hn::Ge(above_before, zero), hn::Lt(hn::Add(above_before, above), length));
+  const auto candidates = hn::And(is_fast, came_in);
+  if (hn::AllFalse(d, candidates)) return candidates;
+  return mask_of(
+      d, stop_at_entry(d, shape, contact.thickness - skin, Real(0.1) * skin, bits_of(d, candidates), q, p));
+}
+
+template <class Shape, class Real>
+HWY_INLINE std::uint16_t resolve_shape(const Shape& shape, const Contact<Real>& contact,
+                                       const ContactBlock<Real>& block) {
+  const hn::CappedTag<Real, block_size> d;
+  using V = hn::Vec<decltype(d)>;
+  const V zero = hn::Zero(d), thickness = hn::Set(d, contact.thickness), h = hn::Set(d, block.h);
+  std::uint16_t touched = 0;
+  for (std::size_t lane = 0; lane < block_size; lane += hn::Lanes(d)) {
+    const auto is_free = mask_of(d, std::uint32_t(block.free) >> lane);
+    const Vector3<V> x{hn::Load(d, block.x + lane), hn::Load(d, block.y + lane), hn::Load(d, block.z + lane)};
+    Vector3<V> p = to_local(d, contact.after, x);
+    Surface<V> surface = surface_at(d, shape, p);
+    V gap = hn::Sub(surface.distance, thickness);
+    auto touches = hn::And(is_free, hn::Lt(gap, zero));
+    if constexpr (Shape::can_be_passed) {
+      const auto stopped = stop_fast(d, shape, contact, block, lane, is_free, gap, p);
+      if (!hn::AllFalse(d, stopped)) {
+        touches = hn::Or(touches, stopped);
+        surface = surface_at(d, shape, p);
+        gap = hn::Sub(surface.distance, thickness);
+      }
+    }
+    if (hn::AllFalse(d, touches)) continue;
+    const Vector3<V> v{hn::Load(d, block.vx + lane), hn::Load(d, block.vy + lane),
+                       hn::Load(d, block.vz + lane)};
+    const Vector3<V> spinning = cross(set3(d, contact.spin), p);
+    const Vector3<V> against = turned_back(d, contact.after, v - set3(d, contact.velocity)) - spinning;
+    const Vector3<V> change = velocity_change(d, contact, against, surface.outwards);
+    // What friction takes of the velocity it takes of the way in the solid, too: what sticks stays.
+    const V depth = hn::Max(hn::Neg(gap), zero);
+    const Vector3<V> along = scaled(h, change - scaled(dot(change, surface.outwards), surface.outwards));
+    const V length = hn::Sqrt(dot(along, along)), most = hn::Mul(hn::Set(d, contact.friction), depth);
+    const V share = hn::IfThenElse(hn::Gt(length, most), hn::Div(most, length), hn::Set(d, Real(1)));
+    const Vector3<V> place = p + scaled(share, along) + scaled(depth, surface.outwards);
+    const Vector3<V> next = turned(d, contact.after, place) + set3(d, contact.after.origin);
+    const Vector3<V> velocity = v + turned(d, contact.after, change);
+    const auto put = [&](V value, Real* values) HWY_ATTR {
+      hn::Store(hn::IfThenElse(touches, value, hn::Load(d, values + lane)), d, values + lane);
+    };
+    put(next.x, block.x), put(next.y, block.y), put(next.z, block.z);
+    put(velocity.x, block.vx), put(velocity.y, block.vy), put(velocity.z, block.vz);
+    touched = std::uint16_t(touched | bits_of(d, touches) << lane);
+  }
+  return touched;
+}
+
+template <class Real>
+HWY_INLINE std::uint16_t resolve_any(const Contact<Real>& contact, const ContactBlock<Real>& block) {
+  if (const auto* plane = std::get_if<LocalPlane<Real>>(&contact.shape))
+    return resolve_shape(*plane, contact, block);
+  if (const auto* sphere = std::get_if<LocalSphere<Real>>(&contact.shape))
+    return resolve_shape(*sphere, contact, block);
+  if (const auto* capsule = std::get_if<LocalCapsule<Real>>(&contact.shape))
+    return resolve_shape(*capsule, contact, block);
+  return resolve_shape(*std::get_if<LocalBox<Real>>(&contact.shape), contact, block);
+}
+
+}  // namespace
+
+std::uint16_t resolve_float(const Contact<float>& contact, const ContactBlock<float>& block) {
+  return resolve_any(contact, block);
+}
+
+std::uint16_t resolve_double(const Contact<double>& contact, const ContactBlock<double>& block) {
+  return resolve_any(contact, block);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hooke {
+
+HWY_EXPORT(resolve_float);
+HWY_EXPORT(resolve_double);
+
+std::uint16_t resolve(const Contact<float>& contact, const ContactBlock<float>& block) {
+  return HWY_DYNAMIC_DISPATCH(resolve_float)(contact, block);
+}
+
+std::uint16_t resolve(const Contact<double>& contact, const ContactBlock<double>& block) {
+  return HWY_DYNAMIC_DISPATCH(resolve_double)(contact, block);
+}
+
+}  // namespace hooke
+#endif

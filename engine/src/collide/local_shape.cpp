@@ -1,0 +1,68 @@
+#include "collide/local_shape.h"
+
+#include <limits>
+
+#include <Eigen/Geometry>
+
+namespace hooke {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Vec3 half_length_of(const CapsuleShape& capsule) {
+  return 0.5 * (capsule.end - capsule.start);
+}
+
+}  // namespace
+
+template <class Real>
+LocalPlane<Real>::LocalPlane(const PlaneShape& plane) : height(Real(plane.height)) {
+  const Vec3 normal = plane.normal.stableNormalized();
+  nx = Real(normal.x()), ny = Real(normal.y()), nz = Real(normal.z());
+}
+
+template <class Real>
+LocalCapsule<Real>::LocalCapsule(const CapsuleShape& capsule) : radius(Real(capsule.radius)) {
+  const Vec3 half = half_length_of(capsule);
+  ex = Real(half.x()), ey = Real(half.y()), ez = Real(half.z());
+  const double square = half.squaredNorm();
+  inverse_square = square > 0.0 ? Real(1.0 / square) : Real(0);
+  const Vec3 aside = square > 0.0 ? Vec3(half.unitOrthogonal()) : Vec3(0.0, 1.0, 0.0);
+  aside_x = Real(aside.x()), aside_y = Real(aside.y()), aside_z = Real(aside.z());
+}
+
+template <class Real>
+LocalShape<Real> local_shape(const ColliderShape& shape) {
+  if (const auto* plane = std::get_if<PlaneShape>(&shape)) return LocalPlane<Real>(*plane);
+  if (const auto* sphere = std::get_if<SphereShape>(&shape)) return LocalSphere<Real>(*sphere);
+  if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) return LocalCapsule<Real>(*capsule);
+  return LocalBox<Real>(std::get<BoxShape>(shape));
+}
+
+template LocalShape<float> local_shape(const ColliderShape&);
+template LocalShape<double> local_shape(const ColliderShape&);
+
+Vec3 origin_of(const ColliderShape& shape) {
+  if (const auto* sphere = std::get_if<SphereShape>(&shape)) return sphere->centre;
+  if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) return 0.5 * (capsule->start + capsule->end);
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->centre;
+  return Vec3::Zero();
+}
+
+Vec3 half_extent_of(const ColliderShape& shape) {
+  if (const auto* sphere = std::get_if<SphereShape>(&shape)) return Vec3::Constant(sphere->radius);
+  if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
+    return half_length_of(*capsule).cwiseAbs() + Vec3::Constant(capsule->radius);
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->half_size;
+  return Vec3::Constant(infinite);
+}
+
+double radius_of(const ColliderShape& shape) {
+  if (const auto* sphere = std::get_if<SphereShape>(&shape)) return sphere->radius;
+  if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
+    return half_length_of(*capsule).norm() + capsule->radius;
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->half_size.norm();
+  return infinite;
+}
+
+}  // namespace hooke

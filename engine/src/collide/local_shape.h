@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <variant>
+
+#include <Eigen/Core>
+
+#include <hooke/shapes.h>
+
+namespace hooke {
+
+/// The shapes in the precision of the run and in their own frame: its origin is what they turn about, the
+/// centre of a solid and for a plane the world's origin at the start.
+
+template <class Real>
+struct LocalPlane {
+  explicit LocalPlane(const PlaneShape& plane);
+  static constexpr bool can_be_passed = false;  ///< within a step, by a particle outside before and after
+
+  Real nx, ny, nz, height;
+};
+
+template <class Real>
+struct LocalSphere {
+  explicit LocalSphere(const SphereShape& sphere) : radius(Real(sphere.radius)) {}
+  static constexpr bool can_be_passed = true;
+  Real inner_radius() const { return radius; }  ///< of the largest ball in it [m]
+
+  Real radius;
+};
+
+template <class Real>
+struct LocalCapsule {
+  explicit LocalCapsule(const CapsuleShape& capsule);
+  static constexpr bool can_be_passed = true;
+  Real inner_radius() const { return radius; }
+
+  Real ex, ey, ez;                 ///< from the middle to the end
+  Real inverse_square;             ///< of that; 0 where both ends are one
+  Real aside_x, aside_y, aside_z;  ///< the normal of its points inside that have none: a unit vector across
+  Real radius;
+};
+
+template <class Real>
+struct LocalBox {
+  explicit LocalBox(const BoxShape& box)
+      : hx(Real(box.half_size.x())), hy(Real(box.half_size.y())), hz(Real(box.half_size.z())) {}
+  static constexpr bool can_be_passed = true;
+  Real inner_radius() const { return std::min({hx, hy, hz}); }
+
+  Real hx, hy, hz;
+};
+
+template <class Real>
+using LocalShape = std::variant<LocalPlane<Real>, LocalSphere<Real>, LocalCapsule<Real>, LocalBox<Real>>;
+
+template <class Real>
+LocalShape<Real> local_shape(const ColliderShape& shape);
+
+/// Where the origin of a shape's own frame lies in the world at the start [m].
+Vec3 origin_of(const ColliderShape& shape);
+
+/// Half of the extent along the world's axes [m], around origin_of(), of a shape that is not turned; infinite
+/// for a plane.
+Vec3 half_extent_of(const ColliderShape& shape);
+
+/// The radius [m] around origin_of() within which a shape lies however it is turned; infinite for a plane.
+double radius_of(const ColliderShape& shape);
+
+}  // namespace hooke

@@ -1,0 +1,88 @@
+// Distances to shapes, a vector of points at a time. Included once for each instruction set, after
+// hwy/foreach_target.h.
+
+#if defined(HOOKE_SHAPES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HOOKE_SHAPES_INL
+#undef HOOKE_SHAPES_INL
+#else
+#define HOOKE_SHAPES_INL
+#endif
+
+#include "collide/local_shape.h"
+#include "kernels/elements-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hooke {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// Of a shape's surface, as seen from points in its frame.
+template <class V>
+struct Surface {
+  V distance;           ///< negative inside
+  Vector3<V> outwards;  ///< unit vector away from the nearest point of the surface, out of the solid
+};
+
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> surface_at(D d, const LocalPlane<Real>& plane, const Vector3<V>& p) {
+  const Vector3<V> normal{hn::Set(d, plane.nx), hn::Set(d, plane.ny), hn::Set(d, plane.nz)};
+  return {hn::Sub(dot(normal, p), hn::Set(d, plane.height)), normal};
+}
+
+/// Around a point or a line that is `away` from the points, by a radius.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> round_surface(D d, const Vector3<V>& away, const Vector3<V>& where_none, V radius) {
+  const V length = hn::Sqrt(dot(away, away));
+  const auto is_away = hn::Gt(length, hn::Zero(d));
+  const V inverse = hn::Div(hn::Set(d, hn::TFromD<D>(1)), length);
+  const auto along = [&](V a, V other)
+                         HWY_ATTR { return hn::IfThenElse(is_away, hn::Mul(a, inverse), other); };
+  return {hn::Sub(length, radius),
+          {along(away.x, where_none.x), along(away.y, where_none.y), along(away.z, where_none.z)}};
+}
+
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> surface_at(D d, const LocalSphere<Real>& sphere, const Vector3<V>& p) {
+  const Vector3<V> up{hn::Zero(d), hn::Set(d, Real(1)), hn::Zero(d)};
+  return round_surface(d, p, up, hn::Set(d, sphere.radius));
+}
+
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> surface_at(D d, const LocalCapsule<Real>& capsule, const Vector3<V>& p) {
+  const Vector3<V> half{hn::Set(d, capsule.ex), hn::Set(d, capsule.ey), hn::Set(d, capsule.ez)};
+  const V one = hn::Set(d, Real(1));
+  const V place = hn::Mul(dot(p, half), hn::Set(d, capsule.inverse_square));
+  const V on_line = hn::Max(hn::Neg(one), hn::Min(place, one));
+  const Vector3<V> aside{hn::Set(d, capsule.aside_x), hn::Set(d, capsule.aside_y),
+                         hn::Set(d, capsule.aside_z)};
+  return round_surface(d, p - scaled(on_line, half), aside, hn::Set(d, capsule.radius));
+}
+
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> surface_at(D d, const LocalBox<Real>& box, const Vector3<V>& p) {
+  const V zero = hn::Zero(d), one = hn::Set(d, Real(1));
+  const Vector3<V> beyond{hn::Sub(hn::Abs(p.x), hn::Set(d, box.hx)),
+                          hn::Sub(hn::Abs(p.y), hn::Set(d, box.hy)),
+                          hn::Sub(hn::Abs(p.z), hn::Set(d, box.hz))};
+  const V deepest = hn::Max(beyond.x, hn::Max(beyond.y, beyond.z));
+  const auto is_outside = hn::Gt(deepest, zero);
+  const Vector3<V> out{hn::Max(beyond.x, zero), hn::Max(beyond.y, zero), hn::Max(beyond.z, zero)};
+  const V length = hn::Sqrt(dot(out, out)), inverse = hn::Div(one, length);
+  // Inside, the way to the nearest side: the first of those that are equally near.
+  const auto by_x = hn::Ge(beyond.x, hn::Max(beyond.y, beyond.z));
+  const auto by_y = hn::AndNot(by_x, hn::Ge(beyond.y, beyond.z));
+  const auto by_z = hn::Not(hn::Or(by_x, by_y));
+  const auto along = [&](V a, V coordinate, auto is_nearest) HWY_ATTR {
+    const V size = hn::IfThenElse(is_outside, hn::Mul(a, inverse), hn::IfThenElseZero(is_nearest, one));
+    return hn::CopySign(size, coordinate);
+  };
+  return {hn::IfThenElse(is_outside, length, deepest),
+          {along(out.x, p.x, by_x), along(out.y, p.y, by_y), along(out.z, p.z, by_z)}};
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace hooke
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "collide/collider_motion.h"
+#include "collide/strip_bounds.h"
+#include "effects/effect_functions.h"
+#include "scene/number_text.h"
+
+namespace hooke {
+namespace {
+
+/// As far as rounding of positions may hide that boxes meet.
+template <class Real>
+constexpr double rounding = 8.0 * double(std::numeric_limits<Real>::epsilon());
+
+/// A collider, as it runs.
+template <class Real>
+struct Solid {
+  ColliderMotion motion;
+  LocalShape<Real> shape;
+  double reach;  ///< [m] from its origin, thickness included, however it is turned
+  Real thickness, friction, restitution;
+};
+
+/// Whether a box lies wholly above a plane, in the world. Of other shapes their own boxes say enough.
+template <class Real>
+bool is_clear_of(const Contact<Real>& contact, const Bounds<Real>& box) {
+  const auto* plane = std::get_if<LocalPlane<Real>>(&contact.shape);
+  if (plane == nullptr) return false;
+  const Real local[] = {plane->nx, plane->ny, plane->nz};
+  Real lowest = -plane->height - contact.thickness, size = std::abs(plane->height);
+  for (std::size_t k = 0; k < 3; ++k) {
+    Real n = Real(0);
+    for (std::size_t j = 0; j < 3; ++j) n += contact.after.rotation[k][j] * local[j];
+    const Real low = n * (box.low[k] - contact.after.origin[k]);
+    const Real high = n * (box.high[k] - contact.after.origin[k]);
+    lowest += std::min(low, high);
+    size += std::max(std::abs(low), std::abs(high));
+  }
+  return lowest > Real(rounding<Real>) * size;
+}
+
+/// All colliders of a scene: the first of them has them all, so that strips are compared with many boxes at
+/// once.
+template <class Real>
+class Colliders final : public CompiledEffect<Real> {
+ public:
+  explicit Colliders(const EffectContext<Real>& context) {
+    for (const Effect& effect : context.scene.effects) {
+      if (const auto* collider = std::get_if<Collider>(&effect)) add(*collider);
+    }
+    for (std::size_t block = 0; block < block_count(context.model.particles()); ++block)
+      free_.push_back(free_lanes(context.model, block));
+  }
+
+  unsigned parts() const override { return corrects_strips; }
+
+  void correct_strip(const StepResult<Real>& result, std::size_t begin, std::size_t end) const override {
+    for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
+      const Bounds<Real> box = bounds_of(result.start, result.next, first, last);
+      for (std::size_t s = next_meeting(bounds_, box, 0); s < still_.size();
+           s = next_meeting(bounds_, box, s + 1))
+        resolve_strip(contacts_[s], result, box, first, last);
+      for (const Solid<Real>& solid : moving_) meet(solid, result, box, first, last);
+    });
+  }
+
+  Stage stage() const override {
+    std::size_t bytes = free_.capacity() * sizeof(std::uint16_t) + bounds_.bytes() +
+                        (still_.capacity() + moving_.capacity()) * sizeof(Solid<Real>) +
+                        contacts_.capacity() * sizeof(Contact<Real>);
+    for (const Solid<Real>& solid : moving_) bytes += solid.motion.bytes();
+    return {
+        std::string(Collider::name), {}, {"position", "velocity", "time"}, {"position", "velocity"}, bytes};
+  }
+
+ private:
+  static std::uint16_t free_lanes(const Model<Real>& model, std::size_t block) {
+    std::uint32_t lanes = 0;
+    for (std::size_t lane = 0; lane < block_size; ++lane) {
+      const std::size_t particle = block * block_size + lane;
+      if (particle < model.particles() && !model.pinned(particle)) lanes |= 1u << lane;
+    }
+    return std::uint16_t(lanes);
+  }
+
+  void add(const Collider& collider) {
+    Solid<Real> solid{ColliderMotion(collider),
+                      local_shape<Real>(collider.shape),
+                      radius_of(collider.shape) + collider.thickness,
+                      Real(collider.thickness),
+                      Real(collider.friction),
+                      Real(collider.restitution)};
+    if (!solid.motion.still()) {
+      moving_.push_back(std::move(solid));
+      return;
+    }
+    bounds_.add(around(collider, solid));
+    contacts_.push_back(contact_of(solid, 0.0, 0.0, 1.0));
+    still_.push_back(std::move(solid));
+  }
+
+  /// Of one that does not move.
+  static Bounds<Real> around(const Collider& collider, const Solid<Real>& solid) {
+    constexpr Real infinite = std::numeric_limits<Real>::infinity();
+    if (std::holds_alternative<PlaneShape>(collider.shape))
+      return {{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
+    const Vec3 origin = solid.motion.origin(0.0);
+    const Vec3 half = solid.motion.rotation(0.0).cwiseAbs() * half_extent_of(collider.shape) +
+                      Vec3::Constant(collider.thickness);
+    Bounds<Real> bounds;
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const double slack = rounding<Real> * (std::abs(origin[k]) + half[k]);
+      bounds.low[k] = Real(origin[k] - half[k] - slack);
+      bounds.high[k] = Real(origin[k] + half[k] + slack);
+    }
+    return bounds;
+  }
+
+  static Contact<Real> contact_of(const Solid<Real>& solid, double before, double after, double h) {
+    Contact<Real> contact{solid.shape,
+                          pose_at<Real>(solid.motion, before),
+                          pose_at<Real>(solid.motion, after),
+                          {},
+                          {},
+                          solid.thickness,
+                          solid.friction,
+                          solid.restitution};
+    const Vec3 velocity = (solid.motion.origin(after) - solid.motion.origin(before)) / h;
+    const Vec3 spin = (solid.motion.angle(after) - solid.motion.angle(before)) / h * solid.motion.axis();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      contact.velocity[k] = Real(velocity[k]);
+      contact.spin[k] = Real(spin[k]);
+    }
+    return contact;
+  }
+
+  /// One that moves, where its way in the step comes near a strip.
+  void meet(const Solid<Real>& solid, const StepResult<Real>& result, const Bounds<Real>& box,
+            std::size_t first, std::size_t last) const {
+    const double before = result.time - result.h;
+    const Vec3 from = solid.motion.origin(before), to = solid.motion.origin(result.time);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      if (std::min(from[k], to[k]) - solid.reach > double(box.high[k])) return;
+      if (std::max(from[k], to[k]) + solid.reach < double(box.low[k])) return;
+    }
+    resolve_strip(contact_of(solid, before, result.time, result.h), result, box, first, last);
+  }
+
+  void resolve_strip(const Contact<Real>& contact, const StepResult<Real>& result, const Bounds<Real>& box,
+                     std::size_t first, std::size_t last) const {
+    if (is_clear_of(contact, box)) return;
+    State<Real>& next = result.next;
+    const State<Real>& start = result.start;
+    for (std::size_t block = first; block < last; ++block) {
+      const std::size_t i = block * block_size;
+      const std::uint16_t touched = resolve(
+          contact, {next.x() + i, next.y() + i, next.z() + i, next.vx() + i, next.vy() + i, next.vz() + i,
+                    start.x() + i, start.y() + i, start.z() + i, free_[block], Real(result.h)});
+      if (touched != 0) repack(next, i, touched);
+    }
+  }
+
+  /// Writes the packed copies of what has changed.
+  static void repack(State<Real>& state, std::size_t first, std::uint16_t touched) {
+    if (state.packed_positions() == nullptr) return;
+    for (std::size_t lane = 0; lane < block_size; ++lane) {
+      if ((touched >> lane & 1) == 0) continue;
+      state.set_position(first + lane, state.position(first + lane));
+      state.set_velocity(first + lane, state.velocity(first + lane));
+    }
+  }
+
+  std::vector<Solid<Real>> still_, moving_;
+  std::vector<Contact<Real>> contacts_;  ///< of those that are still
+  BoundsList<Real> bounds_;              ///< likewise
+  std::vector<std::uint16_t> free_;      ///< of each block the lanes of particles that are not pinned
+};
+
+/// A collider whose work another one does.
+template <class Real>
+class WithTheFirst final : public CompiledEffect<Real> {
+ public:
+  unsigned parts() const override { return 0; }
+  Stage stage() const override { return {}; }
+};
+
+bool is_first(const Collider& collider, const Scene& scene) {
+  for (const Effect& effect : scene.effects) {
+    if (const auto* one = std::get_if<Collider>(&effect)) return one == &collider;
+  }
+  return false;
+}
+
+void check_shape(const PlaneShape& plane, const ElementChecks& checks) {
+  checks.direction("shape.plane.normal", plane.normal);
+  checks.finite("shape.plane.height", plane.height, "m");
+}
+
+void check_shape(const SphereShape& sphere, const ElementChecks& checks) {
+  checks.finite("shape.sphere.centre", sphere.centre, "m");
+  checks.positive("shape.sphere.radius", sphere.radius, "m");
+}
+
+void check_shape(const CapsuleShape& capsule, const ElementChecks& checks) {
+  checks.finite("shape.capsule.start", capsule.start, "m");
+  checks.finite("shape.capsule.end", capsule.end, "m");
+  checks.positive("shape.capsule.radius", capsule.radius, "m");
+}
+
+void check_shape(const BoxShape& box, const ElementChecks& checks) {
+  checks.finite("shape.box.centre", box.centre, "m");
+  for (Eigen::Index k = 0; k < 3; ++k)
+    checks.positive("shape.box.half_size[" + std::to_string(k) + "]", box.half_size[k], "m");
+}
+
+void check_path(const std::vector<RigidKeyframe>& path, const ElementChecks& checks) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::string name = "path[" + std::to_string(i) + "]";
+    checks.finite(name + ".time", path[i].time, "s");
+    checks.finite(name + ".displacement", path[i].displacement, "m");
+    checks.finite(name + ".degrees", path[i].degrees, "deg");
+    if (i > 0 && !(path[i].time > path[i - 1].time))
+      checks.add(name + ".time is " + to_text(path[i].time) + " s, not later than the one before",
+                 "give keyframes in the order of their times");
+  }
+}
+
+}  // namespace
+
+template <class Real>
+EffectPointer<Real> compile_effect(const Collider& collider, const EffectContext<Real>& context) {
+  if (is_first(collider, context.scene)) return std::make_unique<Colliders<Real>>(context);
+  return std::make_unique<WithTheFirst<Real>>();
+}
+
+template EffectPointer<float> compile_effect(const Collider&, const EffectContext<float>&);
+template EffectPointer<double> compile_effect(const Collider&, const EffectContext<double>&);
+
+void check_effect(const Collider& collider, const Scene&, const ElementChecks& checks) {
+  std::visit([&](const auto& shape) { check_shape(shape, checks); }, collider.shape);
+  checks.not_negative("thickness", collider.thickness, "m");
+  checks.not_negative("friction", collider.friction, "");
+  if (!(collider.restitution >= 0.0 && collider.restitution <= 1.0))
+    checks.add("restitution is " + to_text(collider.restitution), "give a value from 0 to 1");
+  checks.direction("axis", collider.axis);
+  check_path(collider.path, checks);
+}
+
+/// It takes no shorter steps.
+void add_bounds(const Collider&, const Scene&, HeldParticles&) {}
+
+}  // namespace hooke
