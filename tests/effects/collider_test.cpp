@@ -231,6 +231,6 @@ TEST_CASE("each fault of a collider is named") {
                                "restitution is 1.5; give a value from 0 to 1", "shape.sphere.radius is 0 m",
                                "axis", "shape.box.centre", "shape.box.half_size[1] is -1 m",
                                "shape.capsule.end", "shape.capsule.radius is -1 m",
-                               "path[1].time is 1 s, not later than the one before", "path[1].displacement"})
+                               "path[1].time is 1 s, but an earlier keyframe has 1 s", "path[1].displacement"})
     CHECK(all.find(expected) != all.npos);
 }

@@ -344,8 +344,8 @@ struct Volume {
 /// (Coulomb's law, for the step: so what may stick does not creep). A particle that flies through within a
 /// step is stopped where it comes in. All takes no shorter steps; energy is only lost where the solid rests.
 ///
-/// A plane needs particles, a sphere of thickness 0 too: between the particles of a cloth corners and edges
-/// may come through.
+/// It is particles that are kept out: between those of a cloth an edge or a corner of a solid may come
+/// through, which a thickness hides.
 struct Collider {
   ColliderShape shape = PlaneShape{};
   double thickness = 0.0;                ///< [m], >= 0

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "effects/effect_functions.h"
-#include "scene/number_text.h"
 
 namespace hooke {
 namespace {
@@ -56,15 +55,8 @@ void check_keyframes(const std::vector<ForceKeyframe>& keyframes, const ElementC
   double latest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     const std::string at = "keyframes[" + std::to_string(i) + "]";
-    const double time = keyframes[i].time;
-    checks.finite(at + ".time", time, "s");
+    checks.later_time(at + ".time", keyframes[i].time, latest);
     checks.finite(at + ".force", keyframes[i].force, "N");
-    if (!std::isfinite(time)) continue;
-    if (time <= latest)
-      checks.add(
-          at + ".time is " + to_text(time) + " s, but an earlier keyframe has " + to_text(latest) + " s",
-          "give times that increase");
-    latest = std::max(latest, time);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "effects/effect_functions.h"
-#include "scene/number_text.h"
 
 namespace hooke {
 namespace {
@@ -84,14 +83,8 @@ void check_path(const std::vector<Keyframe>& path, const ElementChecks& checks) 
   double latest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::string keyframe = "path[" + std::to_string(i) + "]";
-    checks.finite(keyframe + ".time", path[i].time, "s");
+    checks.later_time(keyframe + ".time", path[i].time, latest);
     checks.finite(keyframe + ".displacement", path[i].displacement, "m");
-    if (!std::isfinite(path[i].time)) continue;
-    if (path[i].time <= latest)
-      checks.add(keyframe + ".time is " + to_text(path[i].time) + " s, but an earlier keyframe has " +
-                     to_text(latest) + " s",
-                 "give times that increase");
-    latest = std::max(latest, path[i].time);
   }
 }
 

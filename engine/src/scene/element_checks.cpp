@@ -1,5 +1,6 @@
 #include "scene/element_checks.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "scene/number_text.h"
@@ -19,6 +20,15 @@ void ElementChecks::add(std::string problem, std::string remedy) const {
   std::string element(kind_);
   if (number_ != unnumbered) element += ' ' + std::to_string(number_);
   faults_.push_back({std::move(element), std::move(problem), std::move(remedy)});
+}
+
+void ElementChecks::later_time(std::string_view name, double time, double& latest) const {
+  finite(name, time, "s");
+  if (!std::isfinite(time)) return;
+  if (time <= latest)
+    add(value_problem(name, to_text(time), "s") + ", but an earlier keyframe has " + to_text(latest) + " s",
+        "give times that increase");
+  latest = std::max(latest, time);
 }
 
 void ElementChecks::bad_value(std::string_view name, double value, std::string_view unit,

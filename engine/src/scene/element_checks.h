@@ -40,6 +40,8 @@ class ElementChecks {
       bad_value(name, value, "", "give finite values that are not all zero");
     }
   }
+  /// A keyframe's: finite, and after those before it, of which `latest` keeps the last; -infinity at first.
+  void later_time(std::string_view name, double time, double& latest) const;
   void at_least(std::string_view name, std::size_t value, std::size_t least) const {
     if (value < least) too_few(name, value, least);
   }

@@ -9,7 +9,6 @@
 
 #include "effects/effect_functions.h"
 #include "scene/element_checks.h"
-#include "scene/number_text.h"
 
 namespace hooke {
 namespace {
@@ -107,15 +106,8 @@ void check_path(Faults& faults, std::size_t pin, const std::vector<Keyframe>& pa
   double latest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < path.size(); ++i) {
     const ElementChecks checks(faults, kind, i);
-    const double time = path[i].time;
-    checks.finite("time", time, "s");
+    checks.later_time("time", path[i].time, latest);
     checks.finite("displacement", path[i].displacement, "m");
-    if (!std::isfinite(time)) continue;
-    if (time <= latest) {
-      checks.add("time is " + to_text(time) + " s, but an earlier keyframe has " + to_text(latest) + " s",
-                 "give times that increase");
-    }
-    latest = std::max(latest, time);
   }
 }
 
