@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -45,7 +46,9 @@ void for_each_alternative(Visit&& visit) {
 /// read leaves its target as it was, so that reading goes on and finds the next fault.
 class JsonReader {
  public:
-  explicit JsonReader(std::vector<Fault>& faults) : faults_(faults) {}
+  /// Files that are named by a relative path are looked for in `folder`; a mesh may have so many vertices.
+  JsonReader(std::vector<Fault>& faults, const std::filesystem::path& folder, std::size_t most_vertices)
+      : faults_(faults), folder_(folder), most_vertices_(most_vertices) {}
 
   /// While it lives, the reader is at this key, or this element, of the place where it was.
   class At {
@@ -74,6 +77,8 @@ class JsonReader {
   void read(const Json& value, std::string& out);
   void read(const Json& value, Vec3& out);
   void read(const Json& value, Triangle& out);
+  /// Its vertices and triangles may be those of an OBJ file.
+  void read(const Json& value, MeshShape& out);
 
   template <class T>
   void read(const Json& value, std::vector<T>& out);
@@ -118,6 +123,8 @@ class JsonReader {
   bool expect_three(const Json& value, std::string_view expected);
 
   std::vector<Fault>& faults_;
+  const std::filesystem::path& folder_;
+  std::size_t most_vertices_;
   std::vector<Step> place_;
 };
 

@@ -26,7 +26,7 @@ SceneFile parse(std::string_view name, std::string_view json, const std::filesys
   std::vector<Fault> faults;
   SceneFile file;
   if (const auto root = parse_json(json, faults)) {
-    JsonReader reader(faults);
+    JsonReader reader(faults, folder, options.max_particles);
     file = read_scene(reader, *root, folder, options);
   }
   if (!faults.empty()) throw SceneFileError(name, std::move(faults));

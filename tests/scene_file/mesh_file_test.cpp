@@ -87,3 +87,27 @@ TEST_CASE("a scene file names its mesh, and the options may name another") {
                        doctest::Contains("more than 3 vertices"), SceneFileError);
   std::filesystem::remove_all(folder);
 }
+
+TEST_CASE("a collider's mesh may be a file") {
+  const auto folder = std::filesystem::temp_directory_path() / "hooke_mesh_collider_test";
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "tetrahedron.obj")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const auto scene = [](const std::string& mesh) {
+    return R"({"step": 0.001, "particles": {"mass": [1], "position": [[5, 5, 5]]},
+               "effects": {"collider": {"shape": {"mesh": )" +
+           mesh + "}}}}";
+  };
+  const Scene read = parse_scene(scene(R"({"file": "tetrahedron.obj", "scale": 0.5})"), folder).scene;
+  const auto& mesh = std::get<MeshShape>(std::get<Collider>(read.effects.at(0)).shape);
+  CHECK(mesh.vertices.at(3) == Vec3(0, 0, 1));
+  CHECK(mesh.triangles.at(2) == Triangle{1, 2, 3});
+  CHECK(mesh.scale == 0.5);
+  for (const auto& [text, expected] :
+       {std::pair(R"({"file": "none.obj"})", "effects.collider.shape.mesh.file: mesh "),
+        std::pair(R"({"file": "tetrahedron.obj", "vertices": []})", "is given beside vertices or triangles"),
+        std::pair(R"({"file": 3})", "effects.collider.shape.mesh.file"),
+        std::pair(R"({"vertices": [[0, 0, 0]], "triangles": [[0, 0, 9]]})", "the number of vertices is 1")})
+    CHECK_THROWS_WITH_AS(parse_scene(scene(text), folder), doctest::Contains(expected), SceneFileError);
+  std::filesystem::remove_all(folder);
+}

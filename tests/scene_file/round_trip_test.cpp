@@ -35,6 +35,7 @@ class Numbers {
  public:
   void add(double value) { values.push_back(value); }
   void add(const Vec3& value) { values.insert(values.end(), value.begin(), value.end()); }
+  void add(const Triangle& value) { values.insert(values.end(), value.begin(), value.end()); }
   template <class... T>
   void add(const std::variant<T...>& choice) {
     add(double(choice.index()));
@@ -157,6 +158,25 @@ TEST_CASE("what builders make is written particle by particle") {
   add(file.scene, ClothGrid{.columns = 9, .rows = 7, .placement = {.rotation_degrees = 17}});
   add(file.scene, Block{.nx = 3, .ny = 3, .nz = 3});
   file.scene.pin(0);
+  check_same(file, parse_scene(write_scene(file)));
+}
+
+TEST_CASE("colliders of every shape are written and read again") {
+  AnyDouble any;
+  SceneFile file;
+  file.scene.add_particle(1.0, Vec3::Zero());
+  const MeshShape tetrahedron{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                              .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                              .scale = 0.3};
+  const HeightfieldShape field{.columns = 3,
+                               .rows = 2,
+                               .spacing = 0.7,
+                               .heights = {any(), any(), any(), any(), any(), any()},
+                               .depth = 2.0};
+  for (const ColliderShape& shape :
+       {ColliderShape(PlaneShape{}), ColliderShape(SphereShape{}), ColliderShape(CapsuleShape{}),
+        ColliderShape(BoxShape{any.vector()}), ColliderShape(tetrahedron), ColliderShape(field)})
+    file.scene.effects.push_back(Collider{.shape = shape, .friction = 0.1});
   check_same(file, parse_scene(write_scene(file)));
 }
 

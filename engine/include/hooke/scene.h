@@ -53,8 +53,6 @@ struct Pin {
   std::vector<Keyframe> path;
 };
 
-using Triangle = std::array<Index, 3>;
-
 struct Scene {
   std::string name;
   Particles particles;

@@ -2,7 +2,9 @@
 
 #include <string_view>
 #include <variant>
+#include <vector>
 
+#include <hooke/index.h>
 #include <hooke/vec3.h>
 
 namespace hooke {
@@ -62,6 +64,45 @@ struct BoxShape {
   }
 };
 
-using ColliderShape = std::variant<PlaneShape, SphereShape, CapsuleShape, BoxShape>;
+/// All that a closed surface of triangles encloses. It turns about the middle of the box around it.
+struct MeshShape {
+  std::vector<Vec3> vertices = {};       ///< those at one place are one
+  std::vector<Triangle> triangles = {};  ///< into `vertices`, with corners anticlockwise from outside
+  double scale = 1.0;                    ///< of `vertices` [m], > 0
+
+  static constexpr std::string_view name = "mesh";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("vertices", self.vertices);
+    visit("triangles", self.triangles);
+    visit("scale", self.scale);
+  }
+};
+
+/// The ground below heights over a grid of points, with upright walls at its sides: columns along x and rows
+/// along z from `corner`. Each square of four neighbours is two triangles, along the diagonal from its lowest
+/// x and z. It turns about the middle of the box around it.
+struct HeightfieldShape {
+  Index columns = 2;                 ///< >= 2
+  Index rows = 2;                    ///< >= 2
+  double spacing = 1.0;              ///< between neighbours [m], > 0
+  std::vector<double> heights = {};  ///< columns times rows, row by row, over corner.y [m]
+  Vec3 corner{0.0, 0.0, 0.0};        ///< [m]
+  double depth = 1.0;                ///< of the ground under the lowest height [m], > 0
+
+  static constexpr std::string_view name = "heightfield";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("columns", self.columns);
+    visit("rows", self.rows);
+    visit("spacing", self.spacing);
+    visit("heights", self.heights);
+    visit("corner", self.corner);
+    visit("depth", self.depth);
+  }
+};
+
+using ColliderShape =
+    std::variant<PlaneShape, SphereShape, CapsuleShape, BoxShape, MeshShape, HeightfieldShape>;
 
 }  // namespace hooke

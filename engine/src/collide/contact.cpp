@@ -55,7 +55,7 @@ HWY_INLINE Real first_touch(const Shape& shape, Real distance, Real near, const 
   Real t = Real(0);
   for (int i = 0; i < most_steps && t < Real(1); ++i) {
     const auto place = from + scaled(hn::Set(d, t), way);
-    const Real gap = hn::GetLane(surface_at(d, shape, place).distance) - distance;
+    const Real gap = way_to(d, shape, place) - distance;
     if (gap <= near) return t;
     t += gap / length;
   }
@@ -190,7 +190,11 @@ HWY_INLINE std::uint16_t resolve_any(const Contact<Real>& contact, const Contact
     return resolve_shape(*sphere, contact, block);
   if (const auto* capsule = std::get_if<LocalCapsule<Real>>(&contact.shape))
     return resolve_shape(*capsule, contact, block);
-  return resolve_shape(*std::get_if<LocalBox<Real>>(&contact.shape), contact, block);
+  if (const auto* box = std::get_if<LocalBox<Real>>(&contact.shape))
+    return resolve_shape(*box, contact, block);
+  if (const auto* mesh = std::get_if<LookedUpShape<MeshDistance<Real>>>(&contact.shape))
+    return resolve_shape(*mesh, contact, block);
+  return resolve_shape(*std::get_if<LookedUpShape<HeightDistance<Real>>>(&contact.shape), contact, block);
 }
 
 }  // namespace

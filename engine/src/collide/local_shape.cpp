@@ -32,20 +32,39 @@ LocalCapsule<Real>::LocalCapsule(const CapsuleShape& capsule) : radius(Real(caps
 }
 
 template <class Real>
-LocalShape<Real> local_shape(const ColliderShape& shape) {
+LocalShape<Real> local_shape(const ColliderShape& shape, double reach) {
   if (const auto* plane = std::get_if<PlaneShape>(&shape)) return LocalPlane<Real>(*plane);
   if (const auto* sphere = std::get_if<SphereShape>(&shape)) return LocalSphere<Real>(*sphere);
   if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) return LocalCapsule<Real>(*capsule);
-  return LocalBox<Real>(std::get<BoxShape>(shape));
+  if (const auto* box = std::get_if<BoxShape>(&shape)) return LocalBox<Real>(*box);
+  if (const auto* mesh = std::get_if<MeshShape>(&shape))
+    return LookedUpShape<MeshDistance<Real>>{
+        std::make_shared<const MeshDistance<Real>>(welded_surface(*mesh), reach)};
+  return LookedUpShape<HeightDistance<Real>>{
+      std::make_shared<const HeightDistance<Real>>(std::get<HeightfieldShape>(shape), reach)};
 }
 
-template LocalShape<float> local_shape(const ColliderShape&);
-template LocalShape<double> local_shape(const ColliderShape&);
+template LocalShape<float> local_shape(const ColliderShape&, double);
+template LocalShape<double> local_shape(const ColliderShape&, double);
+
+template <class Real>
+std::size_t bytes_of(const LocalShape<Real>& shape) {
+  if (const auto* mesh = std::get_if<LookedUpShape<MeshDistance<Real>>>(&shape))
+    return mesh->distances->bytes();
+  if (const auto* field = std::get_if<LookedUpShape<HeightDistance<Real>>>(&shape))
+    return field->distances->bytes();
+  return 0;
+}
+
+template std::size_t bytes_of(const LocalShape<float>&);
+template std::size_t bytes_of(const LocalShape<double>&);
 
 Vec3 origin_of(const ColliderShape& shape) {
   if (const auto* sphere = std::get_if<SphereShape>(&shape)) return sphere->centre;
   if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) return 0.5 * (capsule->start + capsule->end);
   if (const auto* box = std::get_if<BoxShape>(&shape)) return box->centre;
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return box_around(*mesh).center();
+  if (const auto* field = std::get_if<HeightfieldShape>(&shape)) return box_around(*field).center();
   return Vec3::Zero();
 }
 
@@ -54,6 +73,8 @@ Vec3 half_extent_of(const ColliderShape& shape) {
   if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
     return half_length_of(*capsule).cwiseAbs() + Vec3::Constant(capsule->radius);
   if (const auto* box = std::get_if<BoxShape>(&shape)) return box->half_size;
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return 0.5 * box_around(*mesh).sizes();
+  if (const auto* field = std::get_if<HeightfieldShape>(&shape)) return 0.5 * box_around(*field).sizes();
   return Vec3::Constant(infinite);
 }
 
@@ -61,8 +82,7 @@ double radius_of(const ColliderShape& shape) {
   if (const auto* sphere = std::get_if<SphereShape>(&shape)) return sphere->radius;
   if (const auto* capsule = std::get_if<CapsuleShape>(&shape))
     return half_length_of(*capsule).norm() + capsule->radius;
-  if (const auto* box = std::get_if<BoxShape>(&shape)) return box->half_size.norm();
-  return infinite;
+  return half_extent_of(shape).norm();
 }
 
 }  // namespace hooke

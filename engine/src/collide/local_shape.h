@@ -1,11 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <variant>
 
 #include <Eigen/Core>
 
 #include <hooke/shapes.h>
+
+#include "collide/height_distance.h"
+#include "collide/mesh_distance.h"
 
 namespace hooke {
 
@@ -51,11 +55,26 @@ struct LocalBox {
   Real hx, hy, hz;
 };
 
-template <class Real>
-using LocalShape = std::variant<LocalPlane<Real>, LocalSphere<Real>, LocalCapsule<Real>, LocalBox<Real>>;
+/// A shape whose distances are looked up.
+template <class Distances>
+struct LookedUpShape {
+  static constexpr bool can_be_passed = true;
+  auto inner_radius() const { return distances->inner_radius(); }
+
+  std::shared_ptr<const Distances> distances;
+};
 
 template <class Real>
-LocalShape<Real> local_shape(const ColliderShape& shape);
+using LocalShape = std::variant<LocalPlane<Real>, LocalSphere<Real>, LocalCapsule<Real>, LocalBox<Real>,
+                                LookedUpShape<MeshDistance<Real>>, LookedUpShape<HeightDistance<Real>>>;
+
+/// Distances from the shape will be exact where they are below `reach` [m], >= 0.
+template <class Real>
+LocalShape<Real> local_shape(const ColliderShape& shape, double reach);
+
+/// What it holds beside itself.
+template <class Real>
+std::size_t bytes_of(const LocalShape<Real>& shape);
 
 /// Where the origin of a shape's own frame lies in the world at the start [m].
 Vec3 origin_of(const ColliderShape& shape);

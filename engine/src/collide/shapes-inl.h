@@ -80,6 +80,31 @@ HWY_INLINE Surface<V> surface_at(D d, const LocalBox<Real>& box, const Vector3<V
           {along(out.x, p.x, by_x), along(out.y, p.y, by_y), along(out.z, p.z, by_z)}};
 }
 
+/// One point after the other: each looks at triangles of its own.
+template <class D, class Distances, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> surface_at(D d, const LookedUpShape<Distances>& shape, const Vector3<V>& p) {
+  using Real = hn::TFromD<D>;
+  alignas(cache_line) Real x[block_size], y[block_size], z[block_size], distance[block_size];
+  hn::Store(p.x, d, x), hn::Store(p.y, d, y), hn::Store(p.z, d, z);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    const SignedDistance<Real> seen = shape.distances->at({x[lane], y[lane], z[lane]});
+    distance[lane] = seen.distance;
+    x[lane] = seen.outwards.x(), y[lane] = seen.outwards.y(), z[lane] = seen.outwards.z();
+  }
+  return {hn::Load(d, distance), {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)}};
+}
+
+/// How far a point is from a surface, well enough to get there in a few steps as long as that.
+template <class D, class Shape, class V = hn::Vec<D>>
+HWY_INLINE hn::TFromD<D> way_to(D d, const Shape& shape, const Vector3<V>& p) {
+  return hn::GetLane(surface_at(d, shape, p).distance);
+}
+
+template <class D, class Distances, class V = hn::Vec<D>>
+HWY_INLINE hn::TFromD<D> way_to(D, const LookedUpShape<Distances>& shape, const Vector3<V>& p) {
+  return shape.distances->exactly({hn::GetLane(p.x), hn::GetLane(p.y), hn::GetLane(p.z)});
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace hooke

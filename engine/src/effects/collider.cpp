@@ -4,6 +4,7 @@
 #include <string>
 
 #include "collide/collider_motion.h"
+#include "collide/mesh_checks.h"
 #include "collide/strip_bounds.h"
 #include "effects/effect_functions.h"
 #include "scene/number_text.h"
@@ -71,7 +72,8 @@ class Colliders final : public CompiledEffect<Real> {
     std::size_t bytes = free_.capacity() * sizeof(std::uint16_t) + bounds_.bytes() +
                         moving_.capacity() * sizeof(Solid<Real>) +
                         contacts_.capacity() * sizeof(Contact<Real>);
-    for (const Solid<Real>& solid : moving_) bytes += solid.motion.bytes();
+    for (const Solid<Real>& solid : moving_) bytes += solid.motion.bytes() + bytes_of(solid.shape);
+    for (const Contact<Real>& contact : contacts_) bytes += bytes_of(contact.shape);
     return {
         std::string(Collider::name), {}, {"position", "velocity", "time"}, {"position", "velocity"}, bytes};
   }
@@ -88,7 +90,7 @@ class Colliders final : public CompiledEffect<Real> {
 
   void add(const Collider& collider) {
     Solid<Real> solid{ColliderMotion(collider),
-                      local_shape<Real>(collider.shape),
+                      local_shape<Real>(collider.shape, collider.thickness),
                       radius_of(collider.shape) + collider.thickness,
                       Real(collider.thickness),
                       Real(collider.friction),
@@ -213,6 +215,14 @@ void check_shape(const BoxShape& box, const ElementChecks& checks) {
   checks.finite("shape.box.centre", box.centre, "m");
   for (Eigen::Index k = 0; k < 3; ++k)
     checks.positive("shape.box.half_size[" + std::to_string(k) + "]", box.half_size[k], "m");
+}
+
+void check_shape(const MeshShape& mesh, const ElementChecks& checks) {
+  check_mesh(mesh, checks);
+}
+
+void check_shape(const HeightfieldShape& field, const ElementChecks& checks) {
+  check_heightfield(field, checks);
 }
 
 void check_path(const std::vector<RigidKeyframe>& path, const ElementChecks& checks) {

@@ -27,11 +27,27 @@ std::vector<Edge> edges_of(const std::vector<Triangle>& triangles) {
   return edges;
 }
 
-std::string text_of(const Edge& edge) {
-  return "the edge from particle " + std::to_string(edge[0]) + " to " + std::to_string(edge[1]);
+bool check_choice(const Scene& scene, const std::vector<Index>& chosen, const ElementChecks& checks) {
+  if (scene.triangles.empty()) {
+    checks.add("the scene has no triangles", "add those of a closed surface, or leave the effect out");
+    return false;
+  }
+  bool good = check_chosen_triangles(scene, chosen, checks);
+  for (const Triangle& triangle : scene.triangles) {
+    for (const Index corner : triangle) good = good && corner < scene.particles.position.size();
+  }
+  return good;  // triangles without their particles are faults of the scene
 }
 
-bool check_edges(const std::vector<Edge>& edges, const ElementChecks& checks) {
+}  // namespace
+
+bool check_edges(const std::vector<Triangle>& triangles, std::string_view corner,
+                 const ElementChecks& checks) {
+  const std::vector<Edge> edges = edges_of(triangles);
+  const auto text_of = [&](const Edge& edge) {
+    return "the edge from " + std::string(corner) + ' ' + std::to_string(edge[0]) + " to " +
+           std::to_string(edge[1]);
+  };
   const auto twice = std::adjacent_find(edges.begin(), edges.end());
   if (twice != edges.end()) {
     checks.add(
@@ -48,20 +64,6 @@ bool check_edges(const std::vector<Edge>& edges, const ElementChecks& checks) {
   return false;
 }
 
-bool check_choice(const Scene& scene, const std::vector<Index>& chosen, const ElementChecks& checks) {
-  if (scene.triangles.empty()) {
-    checks.add("the scene has no triangles", "add those of a closed surface, or leave the effect out");
-    return false;
-  }
-  bool good = check_chosen_triangles(scene, chosen, checks);
-  for (const Triangle& triangle : scene.triangles) {
-    for (const Index corner : triangle) good = good && corner < scene.particles.position.size();
-  }
-  return good;  // triangles without their particles are faults of the scene
-}
-
-}  // namespace
-
 double enclosed_volume(const Scene& scene, const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return 0.0;
   const auto& x = scene.particles.position;
@@ -74,7 +76,7 @@ double enclosed_volume(const Scene& scene, const std::vector<Triangle>& triangle
 void check_closed_surface(const Scene& scene, const std::vector<Index>& chosen, const ElementChecks& checks) {
   if (!check_choice(scene, chosen, checks)) return;
   const std::vector<Triangle> triangles = chosen_triangles(scene, chosen);
-  if (!check_edges(edges_of(triangles), checks)) return;
+  if (!check_edges(triangles, "particle", checks)) return;
   const double volume = enclosed_volume(scene, triangles);
   if (!(volume > 0.0))
     checks.add("the triangles enclose a volume of " + to_text(volume) + " m^3",

@@ -13,6 +13,11 @@ namespace hooke {
 /// been checked.
 void check_closed_surface(const Scene& scene, const std::vector<Index>& chosen, const ElementChecks& checks);
 
+/// Adds a fault unless each edge belongs to two triangles, which go through it in opposite directions.
+/// Corners are called this, such as "particle". Whether there was none.
+bool check_edges(const std::vector<Triangle>& triangles, std::string_view corner,
+                 const ElementChecks& checks);
+
 /// The volume [m^3] that triangles enclose at the start; negative where their normals point inwards.
 double enclosed_volume(const Scene& scene, const std::vector<Triangle>& triangles);
 
