@@ -82,19 +82,6 @@ HWY_INLINE std::uint32_t stop_at_entry(D d, const Shape& shape, Real distance, R
   return stopped;
 }
 
-template <class D>
-HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, mask, bytes);
-  return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
-}
-
-template <class D>
-HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
-  const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
-  return hn::LoadMaskBits(d, bytes);
-}
-
 /// What a contact leaves of the velocity against the surface. Coulomb's law: what the surface takes of the
 /// velocity along it is at most `friction` times the change across it.
 template <class D, class Real, class V = hn::Vec<D>>
@@ -118,7 +105,8 @@ HWY_INLINE hn::Mask<D> stop_fast(D d, const Shape& shape, const Contact<Real>& c
                                  const ContactBlock<Real>& block, std::size_t lane, hn::Mask<D> is_free,
                                  V gap, Vector3<V>& p) {
   const Real skin = Real(0.05) * shape.inner_radius();
-  const V zero = hn::Zero(d), above = hn::Add(gap, hn::Set(d, skin));
+  const V zero = hn::Zero(d);
+  V above = hn::Add(gap, hn::Set(d, skin));
   const Vector3<V> start{hn::Load(d, block.x0 + lane), hn::Load(d, block.y0 + lane),
                          hn::Load(d, block.z0 + lane)};
   const Vector3<V> q = to_local(d, contact.before, start), way = p - q;
@@ -127,6 +115,9 @@ HWY_INLINE hn::Mask<D> stop_fast(D d, const Shape& shape, const Contact<Real>& c
   const auto may_be_through = hn::And(hn::Ge(above, zero), hn::Lt(above, length));
   const auto is_fast = hn::And(is_free, hn::Or(is_deep, may_be_through));
   if (hn::AllFalse(d, is_fast)) return is_fast;
+  if constexpr (Shape::is_looked_up)  // what was seen earlier does not decide what becomes of it
+    above =
+        hn::Add(hn::Sub(surface_at(d, shape, p).distance, hn::Set(d, contact.thickness)), hn::Set(d, skin));
   const V above_before =
       hn::Add(hn::Sub(surface_at(d, shape, q).distance, hn::Set(d, contact.thickness)), hn::Set(d, skin));
   const auto came_in = hn::And(hn::Ge(above_before, zero), hn::Lt(hn::Add(above_before, above), length));
@@ -147,7 +138,7 @@ HWY_INLINE std::uint16_t resolve_shape(const Shape& shape, const Contact<Real>& 
     const auto is_free = mask_of(d, std::uint32_t(block.free) >> lane);
     const Vector3<V> x{hn::Load(d, block.x + lane), hn::Load(d, block.y + lane), hn::Load(d, block.z + lane)};
     Vector3<V> p = to_local(d, contact.after, x);
-    Surface<V> surface = surface_at(d, shape, p);
+    Surface<V> surface = surface_again(d, shape, p, is_free, block.number, lane);
     V gap = hn::Sub(surface.distance, thickness);
     auto touches = hn::And(is_free, hn::Lt(gap, zero));
     if constexpr (Shape::can_be_passed) {

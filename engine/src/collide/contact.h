@@ -33,6 +33,7 @@ struct ContactBlock {
   const Real *x0, *y0, *z0;
   std::uint16_t free;  ///< a bit for each lane with a particle that is not pinned
   Real h;              ///< [s] of the step
+  std::size_t number;  ///< of the block
 };
 
 /// Puts particles of a block that have got into the solid, or through it, back on its surface, with the

@@ -39,6 +39,7 @@ HeightDistance<Real>::HeightDistance(const HeightfieldShape& field, double reach
       half_((0.5 * box_around(field).sizes()).cast<Real>()),
       reach_(Real(reach)),
       inner_radius_(Real(0.5 * std::min(field.spacing, field.depth))),
+      slack_(Real(16) * std::numeric_limits<Real>::epsilon() * half_.maxCoeff()),
       cosine_(Real(1.0 / std::hypot(1.0, steepest(field)))) {
   const double middle = box_around(field).center().y() - field.corner.y();
   heights_.reserve(field.heights.size());
@@ -70,24 +71,44 @@ Real HeightDistance<Real>::height_at(Real x, Real z) const {
 }
 
 template <class Real>
-SignedDistance<Real> HeightDistance<Real>::at(const Vector& point, Real reach) const {
+SeenSurface<Real> HeightDistance<Real>::from(const Vector& point, Real reach) const {
   const Real x = std::clamp(point.x(), -half_.x(), half_.x()),
              z = std::clamp(point.z(), -half_.z(), half_.z());
-  if (!point.allFinite()) return {std::numeric_limits<Real>::quiet_NaN(), Vector::UnitY()};
+  if (!point.allFinite()) return seen_far_away(std::numeric_limits<Real>::quiet_NaN(), Real(0));
+  const auto far_outside = [&](Real at_least) {
+    const Real within = Real(0.5) * (at_least - reach);
+    return seen_far_away(at_least - within, within);
+  };
   const Real top = height_at(x, z);
   const bool is_beside = x != point.x() || z != point.z();
   if (point.y() <= top && (is_beside || point.y() < -half_.y())) {
     const Vector nearest(x, std::max(point.y(), -half_.y()), z);
+    const Real distance = (point - nearest).norm();
+    if (distance > reach + slack_) return far_outside(distance);
     return seen_from_edge<Real>(nearest, Vector(-Vector::UnitY()), Real(1), point);
   }
-  const Real above = (point.y() - top) * cosine_;
-  if (above >= reach && above > Real(0)) return {above, Vector::UnitY()};
+  const Real above = (point.y() - top) * cosine_ - slack_;
+  if (above > reach) return far_outside(above);
   Nearest nearest{std::numeric_limits<Real>::infinity(), Vector::Zero(), Vector::UnitY(), true};
   const bool is_inside = point.y() < top;
   if (is_inside) look_at_walls(point, nearest);
   look_at_top(point, nearest);
-  if (nearest.is_on_face) return seen_from_face<Real>(nearest.point, nearest.normal, point);
-  return seen_from_edge<Real>(nearest.point, nearest.normal, is_inside ? Real(-1) : Real(1), point);
+  if (!nearest.is_on_face)
+    return seen_from_edge<Real>(nearest.point, nearest.normal, is_inside ? Real(-1) : Real(1), point);
+  return {nearest.normal, nearest.normal.dot(nearest.point),
+          holds_within(std::sqrt(nearest.square), std::sqrt(nearest.second), slack_)};
+}
+
+/// Keeps the nearer one.
+template <class Real>
+void HeightDistance<Real>::add(const Nearest& other, Nearest& nearest) const {
+  if (!(other.square < nearest.square)) {
+    nearest.second = std::min(nearest.second, other.square);
+    return;
+  }
+  const Real second = std::min(nearest.second, nearest.square);
+  nearest = other;
+  nearest.second = second;
 }
 
 /// Those of a point inside, and the bottom.
@@ -95,9 +116,7 @@ template <class Real>
 void HeightDistance<Real>::look_at_walls(const Vector& point, Nearest& nearest) const {
   const auto look = [&](Eigen::Index axis, Real side) {
     const Real away = side * half_[axis] - point[axis];
-    if (!(away * away < nearest.square)) return;
-    nearest = {away * away, point, side * Vector::Unit(axis), true};
-    nearest.point[axis] = side * half_[axis];
+    add({away * away, side * half_[axis] * Vector::Unit(axis), side * Vector::Unit(axis), true}, nearest);
   };
   look(0, Real(-1)), look(0, Real(1));
   look(1, Real(-1));
@@ -133,7 +152,7 @@ bool HeightDistance<Real>::look_at_square(Index column, Index row, const Vector&
   const Vector low = corner(column, row), high = corner(column + 1, row + 1);
   const Real x = point.x() - std::clamp(point.x(), low.x(), high.x());
   const Real z = point.z() - std::clamp(point.z(), low.z(), high.z());
-  if (!(x * x + z * z < nearest.square)) return false;
+  if (!(x * x + z * z < nearest.second)) return false;
   look_at_triangle(low, high, corner(column + 1, row), point, nearest);
   look_at_triangle(low, corner(column, row + 1), high, point, nearest);
   return true;
@@ -143,9 +162,11 @@ template <class Real>
 void HeightDistance<Real>::look_at_triangle(const Vector& a, const Vector& b, const Vector& c,
                                             const Vector& point, Nearest& nearest) const {
   const ClosestOnTriangle<Real> closest = closest_on_triangle<Real>(point, a, b, c);
-  const Real square = (point - closest.point).squaredNorm();
-  if (!(square < nearest.square)) return;
-  nearest = {square, closest.point, (b - a).cross(c - a).normalized(), closest.part == TrianglePart::face};
+  const bool is_on_face = closest.part == TrianglePart::face;
+  // Of a face any point tells the plane; a corner's does so with the same bits wherever it is seen from.
+  add({(point - closest.point).squaredNorm(), is_on_face ? a : closest.point,
+       (b - a).cross(c - a).normalized(), is_on_face},
+      nearest);
 }
 
 template class HeightDistance<float>;

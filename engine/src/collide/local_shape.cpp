@@ -13,6 +13,17 @@ Vec3 half_length_of(const CapsuleShape& capsule) {
   return 0.5 * (capsule.end - capsule.start);
 }
 
+template <class Distances>
+LookedUpShape<Distances> looked_up(std::shared_ptr<const Distances> distances, std::size_t blocks) {
+  using Seen = AlignedVector<SeenPlanes<typename Distances::Real>>;
+  return {std::move(distances), std::make_shared<Seen>(blocks)};
+}
+
+template <class Distances>
+std::size_t bytes_of(const LookedUpShape<Distances>& shape) {
+  return shape.distances->bytes() + shape.seen->size() * sizeof(SeenPlanes<typename Distances::Real>);
+}
+
 }  // namespace
 
 template <class Real>
@@ -32,27 +43,26 @@ LocalCapsule<Real>::LocalCapsule(const CapsuleShape& capsule) : radius(Real(caps
 }
 
 template <class Real>
-LocalShape<Real> local_shape(const ColliderShape& shape, double reach) {
+LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size_t blocks) {
   if (const auto* plane = std::get_if<PlaneShape>(&shape)) return LocalPlane<Real>(*plane);
   if (const auto* sphere = std::get_if<SphereShape>(&shape)) return LocalSphere<Real>(*sphere);
   if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) return LocalCapsule<Real>(*capsule);
   if (const auto* box = std::get_if<BoxShape>(&shape)) return LocalBox<Real>(*box);
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
-    return LookedUpShape<MeshDistance<Real>>{
-        std::make_shared<const MeshDistance<Real>>(welded_surface(*mesh), reach)};
-  return LookedUpShape<HeightDistance<Real>>{
-      std::make_shared<const HeightDistance<Real>>(std::get<HeightfieldShape>(shape), reach)};
+    return looked_up(std::make_shared<const MeshDistance<Real>>(welded_surface(*mesh), reach), blocks);
+  const auto& field = std::get<HeightfieldShape>(shape);
+  return looked_up(std::make_shared<const HeightDistance<Real>>(field, reach), blocks);
 }
 
-template LocalShape<float> local_shape(const ColliderShape&, double);
-template LocalShape<double> local_shape(const ColliderShape&, double);
+template LocalShape<float> local_shape(const ColliderShape&, double, std::size_t);
+template LocalShape<double> local_shape(const ColliderShape&, double, std::size_t);
 
 template <class Real>
 std::size_t bytes_of(const LocalShape<Real>& shape) {
   if (const auto* mesh = std::get_if<LookedUpShape<MeshDistance<Real>>>(&shape))
-    return mesh->distances->bytes();
+    return bytes_of<MeshDistance<Real>>(*mesh);
   if (const auto* field = std::get_if<LookedUpShape<HeightDistance<Real>>>(&shape))
-    return field->distances->bytes();
+    return bytes_of<HeightDistance<Real>>(*field);
   return 0;
 }
 

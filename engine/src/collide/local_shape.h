@@ -10,6 +10,7 @@
 
 #include "collide/height_distance.h"
 #include "collide/mesh_distance.h"
+#include "collide/seen_planes.h"
 
 namespace hooke {
 
@@ -27,7 +28,7 @@ struct LocalPlane {
 template <class Real>
 struct LocalSphere {
   explicit LocalSphere(const SphereShape& sphere) : radius(Real(sphere.radius)) {}
-  static constexpr bool can_be_passed = true;
+  static constexpr bool can_be_passed = true, is_looked_up = false;
   Real inner_radius() const { return radius; }  ///< of the largest ball in it [m]
 
   Real radius;
@@ -36,7 +37,7 @@ struct LocalSphere {
 template <class Real>
 struct LocalCapsule {
   explicit LocalCapsule(const CapsuleShape& capsule);
-  static constexpr bool can_be_passed = true;
+  static constexpr bool can_be_passed = true, is_looked_up = false;
   Real inner_radius() const { return radius; }
 
   Real ex, ey, ez;                 ///< from the middle to the end
@@ -49,7 +50,7 @@ template <class Real>
 struct LocalBox {
   explicit LocalBox(const BoxShape& box)
       : hx(Real(box.half_size.x())), hy(Real(box.half_size.y())), hz(Real(box.half_size.z())) {}
-  static constexpr bool can_be_passed = true;
+  static constexpr bool can_be_passed = true, is_looked_up = false;
   Real inner_radius() const { return std::min({hx, hy, hz}); }
 
   Real hx, hy, hz;
@@ -58,19 +59,21 @@ struct LocalBox {
 /// A shape whose distances are looked up.
 template <class Distances>
 struct LookedUpShape {
-  static constexpr bool can_be_passed = true;
+  static constexpr bool can_be_passed = true, is_looked_up = true;
   auto inner_radius() const { return distances->inner_radius(); }
 
   std::shared_ptr<const Distances> distances;
+  std::shared_ptr<AlignedVector<SeenPlanes<typename Distances::Real>>> seen;  ///< by each block of particles
 };
 
 template <class Real>
 using LocalShape = std::variant<LocalPlane<Real>, LocalSphere<Real>, LocalCapsule<Real>, LocalBox<Real>,
                                 LookedUpShape<MeshDistance<Real>>, LookedUpShape<HeightDistance<Real>>>;
 
-/// Distances from the shape will be exact where they are below `reach` [m], >= 0.
+/// For so many blocks of particles. Distances from the shape will be exact where they are below `reach` [m],
+/// >= 0.
 template <class Real>
-LocalShape<Real> local_shape(const ColliderShape& shape, double reach);
+LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size_t blocks);
 
 /// What it holds beside itself.
 template <class Real>

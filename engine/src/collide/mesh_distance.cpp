@@ -11,7 +11,7 @@ namespace {
 constexpr double cell_over_triangle = 0.75;
 
 /// As deep as this below the surface, in cells, lists are kept; particles seldom get deeper.
-constexpr double listed_depth = 2.0;
+constexpr double listed_depth = 0.25;
 
 double area_of(const std::vector<TriangleCorners>& triangles) {
   double twice = 0.0;
@@ -25,6 +25,16 @@ Eigen::AlignedBox3d box_around(const std::vector<TriangleCorners>& triangles) {
     for (const Vec3& corner : corners) box.extend(corner);
   }
   return box;
+}
+
+struct Ball {
+  Vec3 middle;
+  double radius;
+};
+
+Ball ball_around(const TriangleCorners& t) {
+  const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+  return {middle, std::max({(t[0] - middle).norm(), (t[1] - middle).norm(), (t[2] - middle).norm()})};
 }
 
 /// From the middles of triangles straight through to the other side.
@@ -46,6 +56,8 @@ class MeshDistance<Real>::Builder {
  public:
   Builder(MeshDistance& mesh, const WeldedSurface& surface, double reach)
       : mesh_(mesh), surface_(surface_triangles<double>(surface)), reach_(reach) {
+    balls_.reserve(surface_.size());
+    for (const TriangleCorners& corners : mesh_.tree_.triangles()) balls_.push_back(ball_around(corners));
     place_grid();
     for (int z = 0; z < mesh_.bricks_[2]; ++z) {
       for (int y = 0; y < mesh_.bricks_[1]; ++y) {
@@ -69,9 +81,11 @@ class MeshDistance<Real>::Builder {
       low_ = box.min() - Vec3::Constant(margin);
       if (size.prod() <= most_bricks) break;
     }
-    slack_ = 16.0 * double(std::numeric_limits<Real>::epsilon()) * box.sizes().maxCoeff();
+    slack_ = 6.0 * double(std::numeric_limits<Real>::epsilon()) * box.sizes().maxCoeff();
     mesh_.low_ = low_.template cast<Real>();
     mesh_.margin_ = Real(margin);
+    mesh_.reach_ = Real(reach_);
+    mesh_.slack_ = Real(slack_);
     mesh_.cell_ = Real(cell_);
     mesh_.inverse_cell_ = Real(1.0 / cell_);
     mesh_.bricks_ = size.template cast<int>();
@@ -87,7 +101,7 @@ class MeshDistance<Real>::Builder {
 
   double signed_distance(Index triangle, const Vec3& point) const {
     const SurfaceTriangle<double>& nearest = surface_[triangle];
-    return nearest.seen_from(nearest.closest_to(point), point).distance;
+    return nearest.seen_from(nearest.closest_to(point), point).distance(point);
   }
 
   bool is_far(double distance, int size) const {
@@ -115,37 +129,30 @@ class MeshDistance<Real>::Builder {
     return Real(std::copysign(std::max(std::abs(distance) - slack_, 0.0), distance));
   }
 
+  /// What is left of a brick's triangles: by the balls around them, as that is much faster.
   void divide(const Place& first, int size, const std::vector<Index>& triangles) {
     const Vec3 point = middle(first, size);
-    std::vector<Candidate> near = by_distance(triangles, point);
-    const double distance = signed_distance(near.front().triangle, point);
-    if (is_far(distance, size)) return fill(first, size, distance);
-    const double most = std::abs(distance) + 2.0 * radius(size);
-    near.erase(
-        std::find_if(near.begin(), near.end(), [&](const Candidate& c) { return double(c.distance) > most; }),
-        near.end());
-    if (size == 1) return add_candidates(first, distance, near);
+    double nearest = std::numeric_limits<double>::infinity(), at_most = nearest;
+    for (const Index triangle : triangles) {
+      const double distance = (point - balls_[triangle].middle).norm();
+      nearest = std::min(nearest, distance - balls_[triangle].radius);
+      at_most = std::min(at_most, distance);
+    }
+    if (nearest - radius(size) >= std::max(reach_, listed_depth * cell_) + slack_)
+      return fill(first, size, signed_distance(mesh_.tree_.nearest(point), point));
     std::vector<Index> kept;
-    for (const Candidate& candidate : near) kept.push_back(candidate.triangle);
+    for (const Index triangle : triangles) {
+      const Ball& ball = balls_[triangle];
+      if ((point - ball.middle).norm() - ball.radius <= at_most + 2.0 * radius(size))
+        kept.push_back(triangle);
+    }
+    if (size == 1) return add_cell(first, kept);
     const int half = size / 2;
     for (int z = 0; z < size; z += half) {
       for (int y = 0; y < size; y += half) {
         for (int x = 0; x < size; x += half) divide(first + Place(x, y, z), half, kept);
       }
     }
-  }
-
-  std::vector<Candidate> by_distance(const std::vector<Index>& triangles, const Vec3& point) const {
-    std::vector<Candidate> near;
-    near.reserve(triangles.size());
-    for (const Index triangle : triangles) {
-      const Vec3 closest = surface_[triangle].closest_to(point).point;
-      near.push_back({Real((point - closest).norm()), triangle});
-    }
-    std::sort(near.begin(), near.end(), [](const Candidate& a, const Candidate& b) {
-      return a.distance < b.distance || (a.distance == b.distance && a.triangle < b.triangle);
-    });
-    return near;
   }
 
   Cell& cell_at(const Place& place) { return cells_of_brick_[number_in_brick(place - first_in_brick_)]; }
@@ -164,14 +171,26 @@ class MeshDistance<Real>::Builder {
     }
   }
 
-  void add_candidates(const Place& place, double distance, const std::vector<Candidate>& near) {
-    cell_at(place) = {safe(distance), Index(mesh_.candidates_.size()), Index(near.size())};
-    for (const Candidate& candidate : near)
-      mesh_.candidates_.push_back({safe(double(candidate.distance)), candidate.triangle});
+  void add_cell(const Place& place, const std::vector<Index>& triangles) {
+    const Vec3 point = middle(place, 1);
+    std::vector<std::pair<double, Index>> near;
+    for (const Index triangle : triangles)
+      near.emplace_back((point - surface_[triangle].closest_to(point).point).norm(), triangle);
+    const auto [least, nearest] = *std::min_element(near.begin(), near.end());
+    const double distance = signed_distance(nearest, point);
+    Cell& cell = cell_at(place);
+    cell = {safe(distance), Index(mesh_.candidates_.size()), 0};
+    if (is_far(distance, 1)) return;
+    const double most = least + 2.0 * radius(1);
+    std::erase_if(near, [&](const auto& one) { return one.first > most; });
+    std::sort(near.begin(), near.end());
+    cell.count = Index(near.size());
+    for (const auto& [away, triangle] : near) mesh_.candidates_.push_back({safe(away), triangle});
   }
 
   MeshDistance& mesh_;
   std::vector<SurfaceTriangle<double>> surface_;
+  std::vector<Ball> balls_;  ///< around these
   double reach_, cell_ = 0.0, slack_ = 0.0;
   Vec3 low_;
   Cell* cells_of_brick_ = nullptr;  ///< that is filled
@@ -188,7 +207,7 @@ MeshDistance<Real>::MeshDistance(const WeldedSurface& surface, double reach)
 }
 
 template <class Real>
-SignedDistance<Real> MeshDistance<Real>::at(const Vector& point) const {
+SeenSurface<Real> MeshDistance<Real>::from(const Vector& point) const {
   const Vector in_cells = (point - low_) * inverse_cell_;
   const Place cells = brick * bricks_;
   if (!((in_cells.array() >= Real(0)).all() &&
@@ -205,8 +224,8 @@ SignedDistance<Real> MeshDistance<Real>::at(const Vector& point) const {
 }
 
 template <class Real>
-SignedDistance<Real> MeshDistance<Real>::nearest_of(const Cell& cell, Real from_middle,
-                                                    const Vector& point) const {
+SeenSurface<Real> MeshDistance<Real>::nearest_of(const Cell& cell, Real from_middle,
+                                                 const Vector& point) const {
   Real least = std::numeric_limits<Real>::infinity();
   Index found = 0;
   ClosestOnTriangle<Real> closest{};
@@ -221,32 +240,63 @@ SignedDistance<Real> MeshDistance<Real>::nearest_of(const Cell& cell, Real from_
     found = candidate.triangle;
     closest = here;
   }
-  return triangles_[found].seen_from(closest, point);
+  SeenSurface<Real> seen = triangles_[found].seen_from(closest, point);
+  if (closest.part == TrianglePart::face) seen.holds_within = holds_within(cell, from_middle, found, point);
+  return seen;
+}
+
+/// With d the distance to this face, a plane while the point is above it, and e that to another triangle,
+/// which is convex: e - d falls no faster than the difference of their gradients where the point is now.
+template <class Real>
+Real MeshDistance<Real>::holds_within(const Cell& cell, Real from_middle, Index face,
+                                      const Vector& point) const {
+  const Real distance = triangles_[face].distance_to_plane(point), height = std::abs(distance);
+  const Vector gradient =
+      std::copysign(Real(1), distance) * triangles_[face].normals[std::size_t(TrianglePart::face)];
+  // What the list leaves out is further than this.
+  const Real unlisted = std::abs(cell.distance) + std::sqrt(Real(3)) * cell_ - from_middle;
+  Real within = std::min(triangles_[face].distance_to_sides(point), Real(0.5) * (unlisted - height));
+  for (Index i = cell.first; i < cell.first + cell.count; ++i) {
+    const Candidate& candidate = candidates_[i];
+    if (Real(0.5) * (candidate.distance - from_middle - height) >= within) break;
+    if (candidate.triangle == face) continue;
+    const Vector away = point - triangles_[candidate.triangle].closest_to(point).point;
+    const Real length = away.norm(), further = length - height - slack_;
+    const Real slope = (away / length - gradient).norm();
+    // On the other side of the plane the gradient of d is turned around.
+    within = std::min(within, std::min(further / slope, std::max(height, Real(0.5) * further)));
+  }
+  return std::max(within - slack_, Real(0));
 }
 
 template <class Real>
-SignedDistance<Real> MeshDistance<Real>::far_from(Real distance, const Vector& middle,
-                                                  const Vector& point) const {
-  if (distance > Real(0)) return {distance - (point - middle).norm(), Vector::UnitY()};
-  return by_tree(point);
+SeenSurface<Real> MeshDistance<Real>::far_outside(Real at_least) const {
+  const Real within = Real(0.5) * (at_least - reach_);
+  return seen_far_away(at_least - within, std::max(within, Real(0)));
 }
 
 template <class Real>
-SignedDistance<Real> MeshDistance<Real>::by_tree(const Vector& point) const {
+SeenSurface<Real> MeshDistance<Real>::far_from(Real distance, const Vector& middle,
+                                               const Vector& point) const {
+  return distance > Real(0) ? far_outside(distance - (point - middle).norm()) : by_tree(point);
+}
+
+template <class Real>
+SeenSurface<Real> MeshDistance<Real>::outside_grid(const Vector& point) const {
+  const Vector size = cell_ * Real(brick) * bricks_.template cast<Real>();
+  const Vector beyond = (low_ - point).cwiseMax(point - low_ - size);
+  return far_outside(beyond.maxCoeff() + margin_);
+}
+
+template <class Real>
+SeenSurface<Real> MeshDistance<Real>::by_tree(const Vector& point) const {
   const SurfaceTriangle<Real>& nearest = triangles_[tree_.nearest(point.template cast<double>())];
   return nearest.seen_from(nearest.closest_to(point), point);
 }
 
 template <class Real>
 Real MeshDistance<Real>::exactly(const Vector& point) const {
-  return by_tree(point).distance;
-}
-
-template <class Real>
-SignedDistance<Real> MeshDistance<Real>::outside_grid(const Vector& point) const {
-  const Vector size = cell_ * Real(brick) * bricks_.template cast<Real>();
-  const Vector beyond = (low_ - point).cwiseMax(point - low_ - size);
-  return {beyond.maxCoeff() + margin_, Vector::UnitY()};
+  return by_tree(point).distance(point);
 }
 
 template <class Real>

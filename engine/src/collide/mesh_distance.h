@@ -10,16 +10,17 @@ namespace hooke {
 /// Signed distances to a closed mesh from any point. A sparse grid: bricks of 8 x 8 x 8 cells where the
 /// surface is near, a number elsewhere. A cell near the surface lists the triangles that can be the nearest
 /// one to a point in it, so distances there are exact; so are those deeper inside, by a tree.
-template <class Real>
+template <class RealType>
 class MeshDistance {
  public:
+  using Real = RealType;
   using Vector = Eigen::Matrix<Real, 3, 1>;
 
   /// Distances below `reach` [m], >= 0, will be exact, inside of course; of what is further out only a bound
-  /// from below that is >= reach is told, with any direction.
+  /// from below that is >= reach is told.
   MeshDistance(const WeldedSurface& surface, double reach);
 
-  SignedDistance<Real> at(const Vector& point) const;
+  SeenSurface<Real> from(const Vector& point) const;
 
   /// The distance of a point, exact however far it is: takes longer.
   Real exactly(const Vector& point) const;
@@ -53,13 +54,17 @@ class MeshDistance {
   Vector middle(const Place& first, int size) const {
     return low_ + cell_ * (first.template cast<Real>() + Vector::Constant(Real(0.5) * Real(size)));
   }
-  SignedDistance<Real> nearest_of(const Cell& cell, Real from_middle, const Vector& point) const;
-  SignedDistance<Real> by_tree(const Vector& point) const;
-  SignedDistance<Real> far_from(Real distance, const Vector& middle, const Vector& point) const;
-  SignedDistance<Real> outside_grid(const Vector& point) const;
+  SeenSurface<Real> nearest_of(const Cell& cell, Real from_middle, const Vector& point) const;
+  Real holds_within(const Cell& cell, Real from_middle, Index face, const Vector& point) const;
+  SeenSurface<Real> far_outside(Real at_least) const;
+  SeenSurface<Real> by_tree(const Vector& point) const;
+  SeenSurface<Real> far_from(Real distance, const Vector& middle, const Vector& point) const;
+  SeenSurface<Real> outside_grid(const Vector& point) const;
 
   Vector low_;                ///< corner of the grid [m]
-  Real margin_;               ///< of the grid around the mesh [m], more than `reach`
+  Real margin_;               ///< of the grid around the mesh [m], more than `reach_`
+  Real reach_;                ///< [m]
+  Real slack_;                ///< that rounding may make of places in the grid [m]
   Real cell_, inverse_cell_;  ///< its sides [m]
   Real inner_radius_;
   Place bricks_;  ///< along x, y and z

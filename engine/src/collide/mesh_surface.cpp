@@ -87,13 +87,15 @@ std::vector<SurfaceTriangle<Real>> surface_triangles(const WeldedSurface& surfac
   std::vector<SurfaceTriangle<Real>> triangles;
   triangles.reserve(surface.triangles.size());
   for (const Triangle& t : surface.triangles) {
-    SurfaceTriangle<Real> triangle{x[t[0]].cast<Real>(), x[t[1]].cast<Real>(), x[t[2]].cast<Real>(), {}};
-    triangle.normals[std::size_t(TrianglePart::face)] = face_normal(surface, t).template cast<Real>();
+    const Vec3 normal = face_normal(surface, t);
+    SurfaceTriangle<Real> triangle{
+        x[t[0]].cast<Real>(), x[t[1]].cast<Real>(), x[t[2]].cast<Real>(), {}, Real(normal.dot(x[t[0]]))};
+    triangle.normals[std::size_t(TrianglePart::face)] = normal.cast<Real>();
     for (std::size_t corner = 0; corner < 3; ++corner) {
       triangle.normals[std::size_t(TrianglePart::edge_a) + corner] =
-          unit_or_zero(sums.edges.at(edge_from(t, corner))).template cast<Real>();
+          unit_or_zero(sums.edges.at(edge_from(t, corner))).cast<Real>();
       triangle.normals[std::size_t(TrianglePart::corner_a) + corner] =
-          unit_or_zero(sums.corners[t[corner]]).template cast<Real>();
+          unit_or_zero(sums.corners[t[corner]]).cast<Real>();
     }
     triangles.push_back(triangle);
   }

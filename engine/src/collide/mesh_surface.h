@@ -1,12 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include <hooke/shapes.h>
 
 #include "collide/closest_on_triangle.h"
-#include "collide/signed_distance.h"
+#include "collide/seen_surface.h"
 #include "collide/triangle_tree.h"
 
 namespace hooke {
@@ -20,13 +21,28 @@ struct SurfaceTriangle {
 
   Vector a, b, c;                 ///< [m]
   std::array<Vector, 7> normals;  ///< of its TrianglePart; unit vectors
+  Real offset;                    ///< of the face along its normal [m]
 
   ClosestOnTriangle<Real> closest_to(const Vector& p) const { return closest_on_triangle<Real>(p, a, b, c); }
 
-  /// As the surface sees p where this is its nearest point.
-  SignedDistance<Real> seen_from(const ClosestOnTriangle<Real>& closest, const Vector& p) const {
+  Real distance_to_plane(const Vector& p) const {
+    return normals[std::size_t(TrianglePart::face)].dot(p) - offset;
+  }
+
+  /// From a point above or below it to the planes upright on its sides.
+  Real distance_to_sides(const Vector& p) const {
+    const Vector& normal = normals[std::size_t(TrianglePart::face)];
+    const auto to_side = [&](const Vector& from, const Vector& to) {
+      const Vector across = normal.cross(to - from);
+      return across.dot(p - from) / across.norm();
+    };
+    return std::min({to_side(a, b), to_side(b, c), to_side(c, a)});
+  }
+
+  /// What p sees where this is its nearest point; holds for p alone.
+  SeenSurface<Real> seen_from(const ClosestOnTriangle<Real>& closest, const Vector& p) const {
     const Vector& normal = normals[std::size_t(closest.part)];
-    if (closest.part == TrianglePart::face) return seen_from_face<Real>(closest.point, normal, p);
+    if (closest.part == TrianglePart::face) return {normal, offset, Real(0)};
     const Real side = (p - closest.point).dot(normal) < Real(0) ? Real(-1) : Real(1);
     return seen_from_edge<Real>(closest.point, normal, side, p);
   }

@@ -8,6 +8,8 @@
 #define HOOKE_SHAPES_INL
 #endif
 
+#include <bit>
+
 #include "collide/local_shape.h"
 #include "kernels/elements-inl.h"
 
@@ -15,6 +17,19 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke {
 namespace HWY_NAMESPACE {
 namespace {
+
+template <class D>
+HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
+}
+
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
+  const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
+  return hn::LoadMaskBits(d, bytes);
+}
 
 /// Of a shape's surface, as seen from points in its frame.
 template <class V>
@@ -87,11 +102,42 @@ HWY_INLINE Surface<V> surface_at(D d, const LookedUpShape<Distances>& shape, con
   alignas(cache_line) Real x[block_size], y[block_size], z[block_size], distance[block_size];
   hn::Store(p.x, d, x), hn::Store(p.y, d, y), hn::Store(p.z, d, z);
   for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    const SignedDistance<Real> seen = shape.distances->at({x[lane], y[lane], z[lane]});
-    distance[lane] = seen.distance;
+    const typename Distances::Vector point(x[lane], y[lane], z[lane]);
+    const SeenSurface<Real> seen = shape.distances->from(point);
+    distance[lane] = seen.distance(point);
     x[lane] = seen.outwards.x(), y[lane] = seen.outwards.y(), z[lane] = seen.outwards.z();
   }
   return {hn::Load(d, distance), {hn::Load(d, x), hn::Load(d, y), hn::Load(d, z)}};
+}
+
+/// The same for the particles of a block from a lane on, of those that count.
+template <class D, class Shape, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> surface_again(D d, const Shape& shape, const Vector3<V>& p, hn::Mask<D>, std::size_t,
+                                    std::size_t) {
+  return surface_at(d, shape, p);
+}
+
+/// Only of points that have left the place where the plane holds that they saw, a new one is looked for.
+template <class D, class Distances, class V = hn::Vec<D>>
+HWY_INLINE Surface<V> surface_again(D d, const LookedUpShape<Distances>& shape, const Vector3<V>& p,
+                                    hn::Mask<D> counts, std::size_t block, std::size_t lane) {
+  using Real = hn::TFromD<D>;
+  SeenPlanes<Real>& seen = (*shape.seen)[block];
+  const auto load = [&](const Real* values) HWY_ATTR { return hn::Load(d, values + lane); };
+  const Vector3<V> moved = p - Vector3<V>{load(seen.x), load(seen.y), load(seen.z)};
+  const auto left = hn::AndNot(hn::Lt(dot(moved, moved), load(seen.square_within)), counts);
+  if (!hn::AllFalse(d, left)) {
+    alignas(cache_line) Real x[block_size], y[block_size], z[block_size];
+    hn::Store(p.x, d, x), hn::Store(p.y, d, y), hn::Store(p.z, d, z);
+    std::uint32_t bits = bits_of(d, left);
+    for (; bits != 0; bits &= bits - 1) {
+      const auto i = std::size_t(std::countr_zero(bits));
+      const typename Distances::Vector point(x[i], y[i], z[i]);
+      seen.set(lane + i, point, shape.distances->from(point));
+    }
+  }
+  const Vector3<V> outwards{load(seen.nx), load(seen.ny), load(seen.nz)};
+  return {hn::Sub(dot(outwards, p), load(seen.offset)), outwards};
 }
 
 /// How far a point is from a surface, well enough to get there in a few steps as long as that.

@@ -48,12 +48,11 @@ bool is_clear_of(const Contact<Real>& contact, const Bounds<Real>& box) {
 template <class Real>
 class Colliders final : public CompiledEffect<Real> {
  public:
-  explicit Colliders(const EffectContext<Real>& context) {
+  explicit Colliders(const EffectContext<Real>& context) : blocks_(block_count(context.model.particles())) {
     for (const Effect& effect : context.scene.effects) {
       if (const auto* collider = std::get_if<Collider>(&effect)) add(*collider);
     }
-    for (std::size_t block = 0; block < block_count(context.model.particles()); ++block)
-      free_.push_back(free_lanes(context.model, block));
+    for (std::size_t block = 0; block < blocks_; ++block) free_.push_back(free_lanes(context.model, block));
   }
 
   unsigned parts() const override { return corrects_strips; }
@@ -90,7 +89,7 @@ class Colliders final : public CompiledEffect<Real> {
 
   void add(const Collider& collider) {
     Solid<Real> solid{ColliderMotion(collider),
-                      local_shape<Real>(collider.shape, collider.thickness),
+                      local_shape<Real>(collider.shape, collider.thickness, blocks_),
                       radius_of(collider.shape) + collider.thickness,
                       Real(collider.thickness),
                       Real(collider.friction),
@@ -159,7 +158,7 @@ class Colliders final : public CompiledEffect<Real> {
       const std::size_t i = block * block_size;
       const std::uint16_t touched = resolve(
           contact, {next.x() + i, next.y() + i, next.z() + i, next.vx() + i, next.vy() + i, next.vz() + i,
-                    start.x() + i, start.y() + i, start.z() + i, free_[block], Real(result.h)});
+                    start.x() + i, start.y() + i, start.z() + i, free_[block], Real(result.h), block});
       if (touched != 0) repack(next, i, touched);
     }
   }
@@ -174,6 +173,7 @@ class Colliders final : public CompiledEffect<Real> {
     }
   }
 
+  std::size_t blocks_;
   std::vector<Solid<Real>> moving_;
   std::vector<Contact<Real>> contacts_;  ///< with those that are still
   BoundsList<Real> bounds_;              ///< around these
