@@ -85,13 +85,19 @@ SeenSurface<Real> HeightDistance<Real>::from(const Vector& point, Real reach) co
     const Vector nearest(x, std::max(point.y(), -half_.y()), z);
     const Real distance = (point - nearest).norm();
     if (distance > reach + slack_) return far_outside(distance);
+    // Straight off a wall: with the bits that it has from inside.
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const Vector straight = Vector::Unit(axis) * (point[axis] - nearest[axis]);
+      if (straight == point - nearest && !straight.isZero(0))
+        return {std::copysign(Real(1), point[axis]) * Vector::Unit(axis), half_[axis], Real(0)};
+    }
     return seen_from_edge<Real>(nearest, Vector(-Vector::UnitY()), Real(1), point);
   }
   const Real above = (point.y() - top) * cosine_ - slack_;
   if (above > reach) return far_outside(above);
   Nearest nearest{std::numeric_limits<Real>::infinity(), Vector::Zero(), Vector::UnitY(), true};
   const bool is_inside = point.y() < top;
-  if (is_inside) look_at_walls(point, nearest);
+  look_at_walls(point, is_inside, nearest);
   look_at_top(point, nearest);
   if (!nearest.is_on_face)
     return seen_from_edge<Real>(nearest.point, nearest.normal, is_inside ? Real(-1) : Real(1), point);
@@ -111,12 +117,16 @@ void HeightDistance<Real>::add(const Nearest& other, Nearest& nearest) const {
   nearest.second = second;
 }
 
-/// Those of a point inside, and the bottom.
+/// The walls and the bottom are the nearest only to what is inside; to what is above the top they are at
+/// least as far as their planes.
 template <class Real>
-void HeightDistance<Real>::look_at_walls(const Vector& point, Nearest& nearest) const {
+void HeightDistance<Real>::look_at_walls(const Vector& point, bool is_inside, Nearest& nearest) const {
   const auto look = [&](Eigen::Index axis, Real side) {
     const Real away = side * half_[axis] - point[axis];
-    add({away * away, side * half_[axis] * Vector::Unit(axis), side * Vector::Unit(axis), true}, nearest);
+    if (is_inside)
+      add({away * away, side * half_[axis] * Vector::Unit(axis), side * Vector::Unit(axis), true}, nearest);
+    else
+      nearest.second = std::min(nearest.second, away * away);
   };
   look(0, Real(-1)), look(0, Real(1));
   look(1, Real(-1));
@@ -152,7 +162,7 @@ bool HeightDistance<Real>::look_at_square(Index column, Index row, const Vector&
   const Vector low = corner(column, row), high = corner(column + 1, row + 1);
   const Real x = point.x() - std::clamp(point.x(), low.x(), high.x());
   const Real z = point.z() - std::clamp(point.z(), low.z(), high.z());
-  if (!(x * x + z * z < nearest.second)) return false;
+  if (!(x * x + z * z < std::max(nearest.square, nearest.second))) return false;
   look_at_triangle(low, high, corner(column + 1, row), point, nearest);
   look_at_triangle(low, corner(column, row + 1), high, point, nearest);
   return true;

@@ -44,7 +44,7 @@ class HeightDistance {
   Real height_at(Real x, Real z) const;
   void add(const Nearest& other, Nearest& nearest) const;
   Index square_of(Real from_low, Index points) const;
-  void look_at_walls(const Vector& point, Nearest& nearest) const;
+  void look_at_walls(const Vector& point, bool is_inside, Nearest& nearest) const;
   void look_at_top(const Vector& point, Nearest& nearest) const;
   bool look_at_square(Index column, Index row, const Vector& point, Nearest& nearest) const;
   void look_at_triangle(const Vector& a, const Vector& b, const Vector& c, const Vector& point,
