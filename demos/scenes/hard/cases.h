@@ -26,6 +26,7 @@ extern const HardCase many_islands;
 extern const HardCase over_constrained;
 extern const HardCase long_oscillation;
 extern const HardCase stiff_damper;
+extern const HardCase rotating_sphere;
 extern const HardCase incline_friction;
 
 }  // namespace hooke::hard

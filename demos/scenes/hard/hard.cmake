@@ -21,6 +21,7 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/over_constrained.cpp
   scenes/hard/random_graphs.cpp
   scenes/hard/random_vertices.cpp
+  scenes/hard/rotating_sphere.cpp
   scenes/hard/scaled_units.cpp
   scenes/hard/shapes.cpp
   scenes/hard/stiff_damper.cpp
