@@ -24,7 +24,7 @@ Scene damped_cloth() {
   return scene;
 }
 
-constexpr std::uint64_t steps = sanitized ? 20 : 1000;
+constexpr std::uint64_t steps = sanitized ? 8 : 1000;
 
 template <class Real>
 std::uint64_t hash_after(const Scene& scene, Accumulation accumulation, unsigned threads) {
@@ -55,7 +55,7 @@ TEST_CASE("every method gives the same bits on 1 and 3 threads, in both modes th
       const auto hash = [&](unsigned threads) {
         Simulation<float> simulation(
             scene, {.method = method, .step = 1e-4, .accumulation = accumulation, .threads = threads});
-        REQUIRE(simulation.step(10).ok());
+        REQUIRE(simulation.step(sanitized ? 3 : 10).ok());
         return simulation.state_hash();
       };
       CHECK(hash(1) == hash(3));
