@@ -22,6 +22,8 @@ add_library(hooke_picture STATIC
   picture/shadow_map.cpp
   picture/sheet.cpp
   picture/sizes.cpp
+  picture/solid.cpp
+  picture/solid_layer.cpp
   picture/spring_layer.cpp
   picture/spring_shaders.cpp
   picture/subject.cpp

@@ -19,6 +19,7 @@
 #include "picture/picture_error.h"
 #include "picture/shadow_map.h"
 #include "picture/sizes.h"
+#include "picture/solid_layer.h"
 #include "picture/spring_layer.h"
 #include "picture/subject_check.h"
 #include "picture/surface_layer.h"
@@ -98,7 +99,8 @@ struct Renderer::Parts {
         position_texture(positions, GL_R32F),
         surface(subject.triangles, positions),
         springs(subject),
-        balls(subject.pins) {}
+        balls(subject.pins),
+        solids(subject.solids) {}
 
   FrameUniforms seen_by_light(const LightBox& box) const;
   FrameUniforms seen_by_eye(const Camera& camera, const LightBox& box, const Look& look, int width,
@@ -119,6 +121,7 @@ struct Renderer::Parts {
   SurfaceLayer surface;
   SpringLayer springs;
   BallLayer balls;
+  SolidLayer solids;
   ShadowMap shadow_map;
 };
 
@@ -153,6 +156,7 @@ void Renderer::Parts::set_uniforms(const FrameUniforms& uniforms) const {
 }
 
 void Renderer::Parts::draw_things(Seen seen, const Look& look, const Sizes& drawn) const {
+  if (look.solids) solids.draw(seen);
   if (look.surface) surface.draw(seen);
   if (look.springs) springs.draw(seen, drawn.spring, look.full_strain);
   if (look.particles) balls.draw_particles(seen, drawn.particle, subject.particles);
@@ -208,6 +212,7 @@ void Renderer::draw(const Camera& camera, const Look& look, int width, int heigh
   const double thickest = std::max(shadow_sizes.particle.metres, shadow_sizes.pin.metres);
   const LightBox box = light_box(parts_->bounds, thickest, parts_->to_light, ShadowMap::texels);
   set_state();
+  parts_->solids.place(look.time);
   parts_->position_texture.bind(position_unit);
   if (look.shadow) parts_->cast_shadows(box, look, shadow_sizes);
   const FrameUniforms uniforms = parts_->seen_by_eye(camera, box, look, width, height);

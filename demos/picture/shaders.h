@@ -13,6 +13,7 @@ struct ShaderText {
 ShaderText background_shaders();
 ShaderText ground_shaders();
 ShaderText surface_shaders();
+ShaderText solid_shaders();  ///< the same in grey
 ShaderText spring_shaders();
 ShaderText ball_shaders();
 

@@ -77,10 +77,24 @@ Subject subject_of(const Scene& scene) {
   }
   for (const Pin& pin : scene.pins) subject.pins.push_back(pin.particle);
   for (const Effect& effect : scene.effects) {
-    if (const auto* ground = std::get_if<GroundPlane>(&effect)) subject.grounds.push_back(*ground);
+    const auto* collider = std::get_if<Collider>(&effect);
+    if (collider != nullptr && !std::holds_alternative<PlaneShape>(collider->shape))
+      subject.solids.push_back(solid_of(*collider));
   }
+  subject.grounds = grounds_of(scene.effects);
   subject.up = up_of(scene);
   return subject;
+}
+
+std::vector<GroundPlane> grounds_of(const std::vector<Effect>& effects) {
+  std::vector<GroundPlane> grounds;
+  for (const Effect& effect : effects) {
+    if (const auto* ground = std::get_if<GroundPlane>(&effect)) grounds.push_back(*ground);
+    const auto* collider = std::get_if<Collider>(&effect);
+    const auto* plane = collider != nullptr ? std::get_if<PlaneShape>(&collider->shape) : nullptr;
+    if (plane != nullptr) grounds.push_back({.normal = plane->normal, .height = plane->height});
+  }
+  return grounds;
 }
 
 Look look_for(const Subject& subject) {

@@ -20,8 +20,9 @@ bool is_finite(std::span<const float> positions, Index particle) {
 
 }  // namespace
 
-SurfaceLayer::SurfaceLayer(std::span<const Triangle> triangles, const Buffer& positions)
-    : all_(triangles), drawn_(triangles), programs_(surface_shaders(), surface_shadow_shaders()) {
+SurfaceLayer::SurfaceLayer(std::span<const Triangle> triangles, const Buffer& positions,
+                           const ShaderText& shaders)
+    : all_(triangles), drawn_(triangles), programs_(shaders, surface_shadow_shaders()) {
   glBindVertexArray(vertices_.name());
   read_vectors(positions, 0);
   read_vectors(normals_, 1);

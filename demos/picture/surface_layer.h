@@ -13,7 +13,8 @@ namespace hooke::picture {
 class SurfaceLayer {
  public:
   /// `positions` will hold x, y, z of each particle [m]; `triangles` must outlive the layer.
-  SurfaceLayer(std::span<const Triangle> triangles, const Buffer& positions);
+  SurfaceLayer(std::span<const Triangle> triangles, const Buffer& positions,
+               const ShaderText& shaders = surface_shaders());
 
   /// Takes the normals of new positions. Where not `all_finite`, leaves out triangles with a corner that is
   /// not.

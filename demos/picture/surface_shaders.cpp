@@ -21,12 +21,20 @@ void main() {
 }
 )";
 
+constexpr const char* cloth_colours = R"(
+const vec3 front = vec3(0.038, 0.215, 0.280);
+const vec3 back = vec3(0.480, 0.365, 0.250);
+)";
+
+constexpr const char* solid_colours = R"(
+const vec3 front = vec3(0.34, 0.34, 0.36);
+const vec3 back = front;
+)";
+
 constexpr const char* surface_fragment = R"(
 in vec3 place;
 in vec3 smooth_normal;
 out vec4 colour;
-const vec3 front = vec3(0.038, 0.215, 0.280);
-const vec3 back = vec3(0.480, 0.365, 0.250);
 
 void main() {
   vec3 view = normalize(to_eye(place));
@@ -56,7 +64,11 @@ void main() { gl_Position = clip_from_world * vec4(position, 1.0); }
 }  // namespace
 
 ShaderText surface_shaders() {
-  return {joined(frame, surface_vertex), joined(frame, lighting, surface_fragment)};
+  return {joined(frame, surface_vertex), joined(frame, lighting, cloth_colours, surface_fragment)};
+}
+
+ShaderText solid_shaders() {
+  return {joined(frame, surface_vertex), joined(frame, lighting, solid_colours, surface_fragment)};
 }
 
 ShaderText surface_shadow_shaders() {

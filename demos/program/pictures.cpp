@@ -71,6 +71,7 @@ class SceneView {
   }
 
   picture::Image draw(Recording& recording, std::size_t moment) {
+    look_.time = recording.time(moment);
     return painter_.paint(recording.positions(moment), camera_, look_);
   }
 

@@ -1,7 +1,5 @@
 #include "viewer/scene_view.h"
 
-#include <variant>
-
 #include "viewer/picking.h"
 
 namespace hooke::viewer {
@@ -11,14 +9,6 @@ std::vector<bool> pinned_in(const Scene& scene) {
   std::vector<bool> pinned(scene.particles.size(), false);
   for (const Pin& pin : scene.pins) pinned[pin.particle] = true;
   return pinned;
-}
-
-std::vector<GroundPlane> grounds_of(const std::vector<Effect>& effects) {
-  std::vector<GroundPlane> grounds;
-  for (const Effect& effect : effects) {
-    if (const auto* ground = std::get_if<GroundPlane>(&effect)) grounds.push_back(*ground);
-  }
-  return grounds;
 }
 
 bool same_place(const std::vector<GroundPlane>& a, const std::vector<GroundPlane>& b) {
@@ -41,13 +31,14 @@ SceneView::SceneView(const Scene& scene)
 void SceneView::take(const Moment& moment) {
   positions_ = moment.positions;
   renderer_.upload(positions_);
+  look_.time = moment.time;
   floor_.make_room(positions_);
   look_.floor_height = floor_.height();
   if (fitted_) camera_.follow(positions_, viewport_);
 }
 
 void SceneView::take(const std::vector<Effect>& effects) {
-  std::vector<GroundPlane> grounds = grounds_of(effects);
+  std::vector<GroundPlane> grounds = picture::grounds_of(effects);
   if (same_place(grounds, renderer_.subject().grounds)) return;
   picture::Subject subject = renderer_.subject();
   subject.grounds = std::move(grounds);

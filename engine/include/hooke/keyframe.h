@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include <hooke/vec3.h>
 
@@ -33,6 +34,10 @@ struct RigidKeyframe {
     visit("degrees", self.degrees);
   }
 };
+
+/// The pose on a path at a time [s]: straight and even between keyframes, held before the first and after the
+/// last; none on a path without any.
+RigidKeyframe on_path(const std::vector<RigidKeyframe>& path, double time);
 
 /// A force at a time.
 struct ForceKeyframe {

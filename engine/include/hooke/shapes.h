@@ -105,4 +105,7 @@ struct HeightfieldShape {
 using ColliderShape =
     std::variant<PlaneShape, SphereShape, CapsuleShape, BoxShape, MeshShape, HeightfieldShape>;
 
+/// What a shape turns about [m]: its middle, of a plane the world's origin.
+Vec3 origin_of(const ColliderShape& shape);
+
 }  // namespace hooke

@@ -1,6 +1,5 @@
 #include "collide/collider_motion.h"
 
-#include <algorithm>
 #include <numbers>
 
 namespace hooke {
@@ -8,25 +7,12 @@ namespace hooke {
 ColliderMotion::ColliderMotion(const Collider& collider)
     : origin_(origin_of(collider.shape)), axis_(collider.axis.stableNormalized()), path_(collider.path) {}
 
-RigidKeyframe ColliderMotion::at(double time) const {
-  const auto next =
-      std::upper_bound(path_.begin(), path_.end(), time,
-                       [](double t, const RigidKeyframe& keyframe) { return t < keyframe.time; });
-  if (path_.empty()) return {};
-  if (next == path_.begin()) return path_.front();
-  if (next == path_.end()) return path_.back();
-  const RigidKeyframe &a = *(next - 1), &b = *next;
-  const double share = (time - a.time) / (b.time - a.time);
-  return {time, (1.0 - share) * a.displacement + share * b.displacement,
-          (1.0 - share) * a.degrees + share * b.degrees};
-}
-
 Vec3 ColliderMotion::origin(double time) const {
-  return origin_ + at(time).displacement;
+  return origin_ + on_path(path_, time).displacement;
 }
 
 double ColliderMotion::angle(double time) const {
-  return at(time).degrees * std::numbers::pi / 180.0;
+  return on_path(path_, time).degrees * std::numbers::pi / 180.0;
 }
 
 Eigen::Matrix3d ColliderMotion::rotation(double time) const {

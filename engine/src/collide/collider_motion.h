@@ -24,9 +24,6 @@ class ColliderMotion {
   std::size_t bytes() const { return path_.capacity() * sizeof(RigidKeyframe); }
 
  private:
-  /// Displacement and degrees.
-  RigidKeyframe at(double time) const;
-
   Vec3 origin_, axis_;
   std::vector<RigidKeyframe> path_;
 };

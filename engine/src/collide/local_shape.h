@@ -79,9 +79,6 @@ LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size
 template <class Real>
 std::size_t bytes_of(const LocalShape<Real>& shape);
 
-/// Where the origin of a shape's own frame lies in the world at the start [m].
-Vec3 origin_of(const ColliderShape& shape);
-
 /// Half of the extent along the world's axes [m], around origin_of(), of a shape that is not turned; infinite
 /// for a plane.
 Vec3 half_extent_of(const ColliderShape& shape);
