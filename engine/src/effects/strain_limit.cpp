@@ -2,6 +2,7 @@
 #include <string>
 
 #include "effects/effect_functions.h"
+#include "effects/immovable.h"
 #include "effects/named_springs.h"
 #include "effects/strain_sweeps.h"
 #include "scene/number_text.h"
@@ -11,30 +12,6 @@ namespace {
 
 /// More than this in a step take too long to be meant.
 constexpr std::uint64_t most_sweeps = 1'000'000;
-
-/// A particle that a script moves from one time to another [s].
-struct ScriptedTime {
-  Index particle;
-  double from, to;
-};
-
-std::vector<ScriptedTime> scripted_times(const Scene& scene, const Order& order) {
-  std::vector<ScriptedTime> times;
-  for (const Effect& effect : scene.effects) {
-    const auto* const script = std::get_if<MotionScript>(&effect);
-    if (script == nullptr) continue;
-    for (const Index particle : script->particles)
-      times.push_back({order.engine(particle), script->path.front().time, script->path.back().time});
-  }
-  return times;
-}
-
-std::vector<double> inverse_masses(const Scene& scene, const Order& order) {
-  std::vector<double> inverse(order.size());
-  for (std::size_t i = 0; i < inverse.size(); ++i) inverse[order.engine(i)] = 1.0 / scene.particles.mass[i];
-  for (const Pin& pin : scene.pins) inverse[order.engine(pin.particle)] = 0.0;
-  return inverse;
-}
 
 /// Of a change of positions: how much kinetic energy is gained by changing velocities in proportion.
 struct EnergyGain {
@@ -51,9 +28,9 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
  public:
   StrainLimitCorrection(const StrainLimit& limit, const EffectContext<Real>& context)
       : sweeps_(limit, context.scene, context.model.order),
-        inverse_mass_(inverse_masses(context.scene, context.model.order)),
+        inverse_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         scripted_(scripted_times(context.scene, context.model.order)),
-        pins_move_(!context.model.moving_pins.empty() || !scripted_.empty()),
+        pins_move_(!context.model.moving_pins.empty() || !scripted_.empty() || has_attachments(context.scene)),
         particles_(inverse_mass_.size()),
         gains_((inverse_mass_.size() + particles_in_run - 1) / particles_in_run) {}
 
@@ -146,7 +123,7 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
   }
 
   StrainSweeps sweeps_;
-  std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned
+  std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned or attached
   std::vector<ScriptedTime> scripted_;
   bool pins_move_;
   std::vector<StrainSweeps::Particle> particles_;
