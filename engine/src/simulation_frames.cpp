@@ -18,8 +18,8 @@ void require_effect(const std::string& function, std::size_t effect, std::size_t
 }
 
 [[noreturn]] void throw_wrong_effect(const char* function, std::size_t effect, const char* needed) {
-  throw std::invalid_argument(std::string(function) + ": effect " + std::to_string(effect) + " is no " + needed +
-                              "; give the number of one");
+  throw std::invalid_argument(std::string(function) + ": effect " + std::to_string(effect) + " is no " +
+                              needed + "; give the number of one");
 }
 
 }  // namespace

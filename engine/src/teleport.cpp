@@ -85,8 +85,9 @@ std::vector<std::size_t> frames_to_move(const std::vector<Index>& particles, con
     if (with_it == 0) continue;
     const std::string frame = "the frame of effect " + std::to_string(effect);
     require(with_it == held, frame + " holds particles that are not named; name all of them, or none");
-    require(!motion->follows_path(), frame + " follows a path, which leads to places of the scene; leave its "
-                                             "particles out");
+    require(!motion->follows_path(), frame +
+                                         " follows a path, which leads to places of the scene; leave its "
+                                         "particles out");
     frames.push_back(effect);
   }
   return frames;

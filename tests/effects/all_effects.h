@@ -61,7 +61,8 @@ inline std::vector<NamedEffect> one_of_each_effect() {
       {"motion_script", MotionScript{{7}, {{0.0, Vec3::Zero()}, {1.0, {0.1, 0.0, 0.0}}}}, MotionScript{}},
       {"collider", Collider{.shape = SphereShape{{0.0, 0.0, 0.0}, 0.51}, .friction = 0.2},
        Collider{.shape = PlaneShape{{0.0, 1.0, 0.0}, -1e6}}},
-      {"frame_attachment", FrameAttachment{.particles = {10, 11}, .path = {{0.0}, {1.0, {0.0, 0.1, 0.0}, 20.0}}},
+      {"frame_attachment",
+       FrameAttachment{.particles = {10, 11}, .path = {{0.0}, {1.0, {0.0, 0.1, 0.0}, 20.0}}},
        {}},
       {"stitch", Stitch{.first = {8}, .second = {9}, .closing_time = 0.5}, {}},
   };

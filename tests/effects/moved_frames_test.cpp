@@ -23,9 +23,9 @@ RigidPose turned_about_y(double angle) {
 Scene on_table(double rate, std::vector<RigidKeyframe> path) {
   Scene scene;
   scene.add_particle(0.3, {0.2, 0, 0}, {0, 0, -0.2 * rate});
-  scene.effects = {Gravity{{0.0, -g, 0.0}}, Collider{.shape = BoxShape{{0, -0.5, 0}, {2, 0.5, 2}},
-                                                     .friction = 0.5,
-                                                     .path = std::move(path)}};
+  scene.effects = {
+      Gravity{{0.0, -g, 0.0}},
+      Collider{.shape = BoxShape{{0, -0.5, 0}, {2, 0.5, 2}}, .friction = 0.5, .path = std::move(path)}};
   return scene;
 }
 

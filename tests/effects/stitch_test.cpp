@@ -62,7 +62,8 @@ TEST_CASE("a stitch under tension carries the weight below it") {
     CHECK(forces[0].y() == doctest::Approx(-5 * 0.02 * g).epsilon(1e-3));  // the upper end is pulled down
     CHECK(std::hypot(forces[0].x(), forces[0].z()) < 1e-12);
     CHECK(distance(simulation, 4, 5) == 0.0);
-    CHECK(distance(simulation, 0, 9) == doctest::Approx(sewn_rope().particles.position[9].norm()).epsilon(1e-4));
+    CHECK(distance(simulation, 0, 9) ==
+          doctest::Approx(sewn_rope().particles.position[9].norm()).epsilon(1e-4));
   }
 }
 
@@ -153,7 +154,11 @@ TEST_CASE("what is pinned, attached or scripted stays, and its seam comes to it"
 TEST_CASE_TEMPLATE("a sewn cloth goes on with the same bits from a snapshot", Real, float, double) {
   Scene scene = hung_cloth(12, 10, 0.001);
   const std::size_t half = scene.particles.size();
-  add(scene, ClothGrid{.columns = 12, .rows = 4, .spacing = 0.02, .areal_density = 2.0, .stretch = 100.0,
+  add(scene, ClothGrid{.columns = 12,
+                       .rows = 4,
+                       .spacing = 0.02,
+                       .areal_density = 2.0,
+                       .stretch = 100.0,
                        .placement = {.translation = {0.0, -0.25, 0.02}}});
   Stitch seam{.closing_time = 0.1};
   for (Index i = 0; i < 12; ++i) {
@@ -175,17 +180,21 @@ TEST_CASE("each fault of a stitch is named") {
   Scene scene = cloud(6);
   scene.pin(0);
   scene.pin(3);
-  scene.effects = {Stitch{}, Stitch{.first = {0, 1}, .second = {1}}, Stitch{.first = {2, 9}, .second = {2, 1}},
+  scene.effects = {Stitch{},
+                   Stitch{.first = {0, 1}, .second = {1}},
+                   Stitch{.first = {2, 9}, .second = {2, 1}},
                    Stitch{.first = {0, 1}, .second = {1, 3}, .closing_time = -1.0},
                    Stitch{.first = {4}, .second = {5}, .closing_time = NAN},
-                   Stitch{.first = {4}, .second = {5}}, Stitch{.first = {4}, .second = {4}, .closing_time = 1.0}};
+                   Stitch{.first = {4}, .second = {5}},
+                   Stitch{.first = {4}, .second = {4}, .closing_time = 1.0}};
   std::string all;
   for (const Fault& fault : validate(scene)) all += fault.message() + "\n";
   CAPTURE(all);
   for (const char* expected :
-       {"effects[0] (stitch): the number of pairs is 0", "effects[1] (stitch): first has 2 particles and second 1",
-        "first[1] is 9", "closing_time is -1 s", "closing_time is nan",
-        "effects[3] (stitch): sews particle 3 to particle 0, and both are pinned",
-        "effects[5] (stitch): pair 0 is ", "m apart at the start", "effects[6] (stitch): pair 0 sews particle 4 to itself"})
+       {"effects[0] (stitch): the number of pairs is 0",
+        "effects[1] (stitch): first has 2 particles and second 1", "first[1] is 9", "closing_time is -1 s",
+        "closing_time is nan", "effects[3] (stitch): sews particle 3 to particle 0, and both are pinned",
+        "effects[5] (stitch): pair 0 is ", "m apart at the start",
+        "effects[6] (stitch): pair 0 sews particle 4 to itself"})
     CHECK(all.find(expected) != all.npos);
 }

@@ -35,11 +35,13 @@ template <class Real>
 double largest_difference(const Simulation<Real>& a, const Simulation<Real>& b) {
   double most = 0.0;
   for (Index i = 0; i < a.particle_count(); ++i)
-    most = std::max({most, (position(a, i) - position(b, i)).norm(), (velocity(a, i) - velocity(b, i)).norm()});
+    most =
+        std::max({most, (position(a, i) - position(b, i)).norm(), (velocity(a, i) - velocity(b, i)).norm()});
   return most;
 }
 
-std::string message_of(Simulation<double>& simulation, const std::vector<Index>& particles, const RigidPose& pose) {
+std::string message_of(Simulation<double>& simulation, const std::vector<Index>& particles,
+                       const RigidPose& pose) {
   try {
     simulation.teleport(particles, pose);
   } catch (const std::exception& error) {
@@ -87,7 +89,8 @@ TEST_CASE("a cloth that is teleported by a power of two moves as one whose scene
   }
   for (const Method& method : all_methods) {
     CAPTURE(to_string(method));
-    Simulation<double> run(scene, {.method = method, .step = 1e-3}), other(there, {.method = method, .step = 1e-3});
+    Simulation<double> run(scene, {.method = method, .step = 1e-3}),
+        other(there, {.method = method, .step = 1e-3});
     run.teleport({shift, Eigen::Quaterniond::Identity()});
     REQUIRE(run.step(20).ok());
     REQUIRE(other.step(20).ok());
@@ -111,7 +114,11 @@ TEST_CASE("a teleport gives no energy and no speed, and far away it does not beg
 TEST_CASE("some particles go, the others stay; frames go with what they hold, tethers with their pins") {
   Scene scene = hung_cloth(6, 5, 0.001);
   const std::size_t body = scene.particles.size();
-  add(scene, ClothGrid{.columns = 3, .rows = 3, .spacing = 0.02, .areal_density = 2.0, .stretch = 100.0,
+  add(scene, ClothGrid{.columns = 3,
+                       .rows = 3,
+                       .spacing = 0.02,
+                       .areal_density = 2.0,
+                       .stretch = 100.0,
                        .placement = {.translation = {1.0, 0.0, 0.0}}});
   std::vector<Index> cloth(body), patch(9);
   for (std::size_t i = 0; i < body; ++i) cloth[i] = Index(i);

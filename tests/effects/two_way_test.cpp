@@ -48,7 +48,8 @@ struct Coupled {
 
 }  // namespace
 
-TEST_CASE("a body that takes the pull on its frame moves as if its mass were the particle's, light or heavy") {
+TEST_CASE(
+    "a body that takes the pull on its frame moves as if its mass were the particle's, light or heavy") {
   for (const double mass : {held / 100.0, held, 100.0 * held}) {
     CAPTURE(mass);
     Coupled coupled(mass, 0.0);

@@ -348,10 +348,10 @@ struct Volume {
 /// may come through.
 struct Collider {
   ColliderShape shape = PlaneShape{};
-  double thickness = 0.0;                ///< [m], >= 0
-  double friction = 0.0;                 ///< mu [1], >= 0
-  double restitution = 0.0;              ///< e [1], from 0 to 1
-  Vec3 axis{0.0, 1.0, 0.0};              ///< that its path turns about; any length but zero
+  double thickness = 0.0;    ///< [m], >= 0
+  double friction = 0.0;     ///< mu [1], >= 0
+  double restitution = 0.0;  ///< e [1], from 0 to 1
+  Vec3 axis{0.0, 1.0, 0.0};  ///< that its path turns about; any length but zero
   /// Straight lines and even turns between; held before and after. Without one it stays, until the host moves
   /// it: see Simulation::move_frame().
   std::vector<RigidKeyframe> path = {};
@@ -431,9 +431,9 @@ struct CustomEffect {
   static void fields(Self&, Visit&&) {}
 };
 
-using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
-                            LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity,
-                            Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript, Collider,
-                            FrameAttachment, Stitch>;
+using Effect =
+    std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
+                 LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity, Pressure, Volume,
+                 CustomEffect, StrainLimit, Tethers, MotionScript, Collider, FrameAttachment, Stitch>;
 
 }  // namespace hooke

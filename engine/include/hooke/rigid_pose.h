@@ -9,7 +9,7 @@ namespace hooke {
 /// A rigid transform: something is turned by `rotation`, and displaced. Of a frame it turns about the frame's
 /// origin at the start of the scene; of a teleport about the origin of the world.
 struct RigidPose {
-  Vec3 displacement = Vec3::Zero();                             ///< [m]
+  Vec3 displacement = Vec3::Zero();                              ///< [m]
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< of unit length
 };
 

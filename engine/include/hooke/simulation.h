@@ -176,10 +176,11 @@ class Simulation {
 
   /// What the frame of a FrameAttachment had to carry on the mean of the last call of step() or advance():
   /// the forces on its particles, less what moved these with it. The momentum that particles lose to the
-  /// frame is this times the time, to round-off; by methods that solve equations to what these leave unsolved.
-  /// By methods that leave a kick pending (Verlet, BlanesMoan) momentum is that without it. What a StrainLimit, Tethers or a Stitch pull with is not in it. The torque is about the origin of
-  /// the frame, with forces where particles are at the start of each step. Zero before the first step.
-  /// Throws std::out_of_range, or std::invalid_argument where the effect is no such.
+  /// frame is this times the time, to round-off; by methods that solve equations to what these leave
+  /// unsolved. By methods that leave a kick pending (Verlet, BlanesMoan) momentum is that without it. What a
+  /// StrainLimit and a Stitch pull with is in it. The torque is about the origin of the frame, with forces
+  /// where particles are at the start of each step. Zero before the first step. Throws std::out_of_range
+  /// where there is no such effect, std::invalid_argument where it is no attachment.
   FrameLoad carried_force(std::size_t effect) const;
 
   /// The force that acts now on the particles of a FrameAttachment, without the inertia of these: a body that

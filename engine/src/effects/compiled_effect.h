@@ -23,7 +23,7 @@ enum EffectPart : unsigned {
   has_own_derivative = 4,  ///< add_derivative()
   is_coupled = 8,  ///< the force on a particle depends on others: reach(), and add_product() where there
                    ///< is a derivative
-  corrects_strips = 16,     ///< correct_strip()
+  corrects_strips = 16,      ///< correct_strip()
   corrects_everything = 32,  ///< correct()
   carries_forces = 64        ///< forget_forces(), and carried_force() or pair_forces()
 };

@@ -39,9 +39,8 @@ EffectList<Real>::EffectList(const Scene& scene, const Model<Real>& model) {
   }
   strip_correctors_ = with(hooke::corrects_strips);
   correctors_ = with(corrects_everything);
-  std::stable_sort(correctors_.begin(), correctors_.end(), [](const auto* a, const auto* b) {
-    return a->correction_rank() < b->correction_rank();
-  });
+  std::stable_sort(correctors_.begin(), correctors_.end(),
+                   [](const auto* a, const auto* b) { return a->correction_rank() < b->correction_rank(); });
   carriers_ = with(carries_forces);
   share_out_memory();
 }

@@ -1,9 +1,10 @@
-#include <cmath>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "effects/effect_functions.h"
 #include "effects/rigid_path_checks.h"
+#include "frames/carried.h"
 
 namespace hooke {
 namespace {
@@ -31,7 +32,8 @@ class Attachment final : public CompiledEffect<Real> {
     for (const HeldParticle* const one : held_) {
       const HeldParticle& held = *one;
       const Vec3 place = to.at(held.local);
-      const Eigen::Matrix<Real, 3, 1> velocity = ((place - from.at(held.local)) / result.h).template cast<Real>();
+      const Eigen::Matrix<Real, 3, 1> velocity =
+          ((place - from.at(held.local)) / result.h).template cast<Real>();
       const Vec3 taken = (result.next.velocity(held.particle) - velocity).template cast<double>();
       const Vec3 lost = held.mass * (taken + frames_.taken(held));
       impulse.force += lost;
@@ -40,11 +42,12 @@ class Attachment final : public CompiledEffect<Real> {
       result.next.set_position(held.particle, place.template cast<Real>());
       result.next.set_velocity(held.particle, velocity);
     }
-    add_to_memory(impulse, result.kick_time(), result.next);
+    result.next.memory[memory_] += Real(result.kick_time());
+    add_carried(impulse, memory_, result.next);
   }
 
   void forget_forces(State<Real>& state) const override {
-    for (std::size_t i = 0; i < memory_values; ++i) state.memory[memory_ + i] = Real(0);
+    std::fill_n(state.memory.begin() + std::ptrdiff_t(memory_), carried_values, Real(0));
   }
 
   std::optional<FrameLoad> carried_force(const State<Real>& state) const override {
@@ -57,30 +60,23 @@ class Attachment final : public CompiledEffect<Real> {
     return load;
   }
 
-  std::size_t memory_size() const override { return memory_values; }
-  void begin_memory(std::size_t first, std::span<Real>) override { memory_ = first; }
+  std::size_t memory_size() const override { return carried_values; }
+  void begin_memory(std::size_t first, std::span<Real>) override {
+    memory_ = first;
+    frames_.set_memory(motion_, first);
+  }
 
   Stage stage() const override {
-    return {std::string(FrameAttachment::name),
-            {},
-            {"position", "velocity", "time"},
-            {"position", "velocity"},
-            held_.capacity() * (sizeof(HeldParticle) + sizeof(HeldParticle*) + sizeof(Vec3)) + motion_.bytes()};
+    return {
+        std::string(FrameAttachment::name),
+        {},
+        {"position", "velocity", "time"},
+        {"position", "velocity"},
+        held_.capacity() * (sizeof(HeldParticle) + sizeof(HeldParticle*) + sizeof(Vec3)) + motion_.bytes()};
   }
 
  private:
-  static constexpr std::size_t memory_values = 7;  ///< time [s], impulse [N s], its moment [N m s]
-
-  void add_to_memory(const FrameLoad& impulse, double time, State<Real>& state) const {
-    Real* const memory = &state.memory[memory_];
-    memory[0] += Real(time);
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      memory[1 + k] += Real(impulse.force[k]);
-      memory[4 + k] += Real(impulse.torque[k]);
-    }
-  }
-
-  const Frames& frames_;
+  Frames& frames_;
   const RigidMotion& motion_;
   std::vector<const HeldParticle*> held_;
   std::size_t memory_ = 0;
@@ -136,8 +132,7 @@ void check_effect(const FrameAttachment& attachment, const Scene& scene, const E
     if (particle >= count) continue;
     const std::string which = "particle " + std::to_string(particle);
     if (seen[particle]) checks.add("holds " + which + " twice", "name it once");
-    if (pinned[particle])
-      checks.add("holds " + which + ", which is pinned", "leave one of the two out");
+    if (pinned[particle]) checks.add("holds " + which + ", which is pinned", "leave one of the two out");
     if (moved[particle])
       checks.add("holds " + which + ", which a motion script or another attachment moves",
                  "leave one of the two out");

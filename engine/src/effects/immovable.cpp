@@ -34,16 +34,17 @@ std::vector<bool> fixed_particles(const Scene& scene) {
   };
   for (const Pin& pin : scene.pins) note(pin.particle);
   for (const Effect& effect : scene.effects) {
-    if (const auto* script = std::get_if<MotionScript>(&effect)) std::ranges::for_each(script->particles, note);
-    if (const auto* frame = std::get_if<FrameAttachment>(&effect)) std::ranges::for_each(frame->particles, note);
+    if (const auto* script = std::get_if<MotionScript>(&effect))
+      std::ranges::for_each(script->particles, note);
+    if (const auto* frame = std::get_if<FrameAttachment>(&effect))
+      std::ranges::for_each(frame->particles, note);
   }
   return fixed;
 }
 
 bool has_attachments(const Scene& scene) {
-  return std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& effect) {
-    return std::holds_alternative<FrameAttachment>(effect);
-  });
+  return std::any_of(scene.effects.begin(), scene.effects.end(),
+                     [](const Effect& effect) { return std::holds_alternative<FrameAttachment>(effect); });
 }
 
 }  // namespace hooke

@@ -12,7 +12,8 @@ namespace {
 struct PairsAt {
   std::vector<std::size_t> begin, pair;
 
-  PairsAt(const Stitch& stitch, std::size_t particles) : begin(particles + 1, 0), pair(2 * stitch.first.size()) {
+  PairsAt(const Stitch& stitch, std::size_t particles)
+      : begin(particles + 1, 0), pair(2 * stitch.first.size()) {
     for (const auto* ends : {&stitch.first, &stitch.second}) {
       for (const Index particle : *ends) ++begin[particle + 1];
     }

@@ -6,6 +6,7 @@
 #include "effects/effect_functions.h"
 #include "effects/immovable.h"
 #include "effects/knots.h"
+#include "frames/carried.h"
 #include "scene/number_text.h"
 #include "scene/scene_size.h"
 
@@ -24,7 +25,14 @@ class Seam final : public CompiledEffect<Real> {
         pairs_(stitch.first.size()),
         inverse_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         scripted_(scripted_times(context.scene, context.model.order)),
-        impulse_(knots_.particles.size()) {}
+        impulse_(knots_.particles.size()) {
+    if (context.model.frames == nullptr) return;
+    for (const Knot& knot : knots_.knots) {
+      const Index root = knots_.particles[knot.first_particle];
+      const auto held = context.model.frames->held_between(root, root + std::size_t{1});
+      if (!held.empty()) on_frames_.push_back({knot.first_particle, &held.front()});
+    }
+  }
 
   unsigned parts() const override { return corrects_everything | carries_forces; }
 
@@ -40,6 +48,8 @@ class Seam final : public CompiledEffect<Real> {
       }
     });
     result.next.memory[memory_] += Real(result.kick_time());
+    // What the roots of knots, which do not move, were pulled by.
+    for (const OnFrame& root : on_frames_) carry(*root.held, -impulse_[root.place], result);
   }
 
   void forget_forces(State<Real>& state) const override {
@@ -66,7 +76,8 @@ class Seam final : public CompiledEffect<Real> {
             {"position", "velocity", "time"},
             {"position", "velocity"},
             knots_.bytes() + inverse_mass_.capacity() * sizeof(double) +
-                scripted_.capacity() * sizeof(ScriptedTime) + impulse_.capacity() * sizeof(Vec3)};
+                scripted_.capacity() * sizeof(ScriptedTime) + impulse_.capacity() * sizeof(Vec3) +
+                on_frames_.capacity() * sizeof(OnFrame)};
   }
 
  private:
@@ -75,6 +86,12 @@ class Seam final : public CompiledEffect<Real> {
   /// What its particles are drawn to, and how it moves.
   struct Centre {
     Vec3 place, velocity;
+  };
+
+  /// The root of a knot that is attached to a frame, and its place in Knots::particles.
+  struct OnFrame {
+    std::size_t place;
+    const HeldParticle* held;
   };
 
   double inverse_mass(Index particle, double time) const {
@@ -185,8 +202,7 @@ class Seam final : public CompiledEffect<Real> {
       const Vec3 carried = impulse_[pair.child_place];
       impulse_[pair.parent_place] += carried;
       Real* const memory = &next.memory[memory_ + 1 + 3 * pair.number];
-      for (Eigen::Index k = 0; k < 3; ++k)
-        memory[k] += Real(pair.child_is_first ? carried[k] : -carried[k]);
+      for (Eigen::Index k = 0; k < 3; ++k) memory[k] += Real(pair.child_is_first ? carried[k] : -carried[k]);
     }
   }
 
@@ -195,6 +211,7 @@ class Seam final : public CompiledEffect<Real> {
   std::size_t pairs_;
   std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned or attached
   std::vector<ScriptedTime> scripted_;
+  std::vector<OnFrame> on_frames_;
   std::vector<Vec3> impulse_;  ///< [N s] on each of the knots' particles in a step
   std::size_t memory_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "effects/immovable.h"
 #include "effects/named_springs.h"
 #include "effects/strain_sweeps.h"
+#include "frames/carried.h"
 #include "scene/number_text.h"
 
 namespace hooke {
@@ -30,8 +31,11 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
       : sweeps_(limit, context.scene, context.model.order),
         inverse_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         scripted_(scripted_times(context.scene, context.model.order)),
-        pins_move_(!context.model.moving_pins.empty() || !scripted_.empty() || has_attachments(context.scene)),
+        pins_move_(!context.model.moving_pins.empty() || !scripted_.empty() ||
+                   has_attachments(context.scene)),
+        frames_(context.model.frames),
         particles_(inverse_mass_.size()),
+        pulled_(has_attachments(context.scene) ? inverse_mass_.size() : 0),
         gains_((inverse_mass_.size() + particles_in_run - 1) / particles_in_run) {}
 
   unsigned parts() const override { return corrects_everything; }
@@ -40,14 +44,19 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
     if (excess_of(result.next, executor).springs == 0) return;
     load(result, executor);
     std::uint64_t sweeps = 0;
-    const StrainExcess left = sweeps_.run(particles_, sweeps, executor);
+    std::fill(pulled_.begin(), pulled_.end(), Vec3::Zero());
+    const StrainExcess left =
+        sweeps_.run(particles_, sweeps, pulled_.empty() ? nullptr : pulled_.data(), executor);
     met_with_.limit_sweeps = std::max(met_with_.limit_sweeps, sweeps);
     if (left.springs > 0) {
       met_with_.flags |= flag_limit_not_met;
       met_with_.springs_over_limit = left.springs;
       met_with_.largest_strain = left.largest;
     }
-    store(result, velocity_share(result, executor), executor);
+    const double share = velocity_share(result, executor);
+    store(result, share, executor);
+    if (pulled_.empty()) return;
+    for (const HeldParticle& held : frames_->held()) carry(held, share * pulled_[held.particle], result);
   }
 
   void tell(Report& report) override {
@@ -64,7 +73,7 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
             {"position", "velocity", "mass", "springs"},
             {"position", "velocity"},
             sweeps_.bytes() + inverse_mass_.capacity() * sizeof(double) +
-                particles_.capacity() * sizeof(StrainSweeps::Particle)};
+                particles_.capacity() * sizeof(StrainSweeps::Particle) + pulled_.capacity() * sizeof(Vec3)};
   }
 
  private:
@@ -126,7 +135,9 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
   std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned or attached
   std::vector<ScriptedTime> scripted_;
   bool pins_move_;
+  std::shared_ptr<const Frames> frames_;
   std::vector<StrainSweeps::Particle> particles_;
+  std::vector<Vec3> pulled_;  ///< see StrainSweeps::run(); only where particles are attached
   std::vector<EnergyGain> gains_;
   Report met_with_;  ///< since it was told last
 };

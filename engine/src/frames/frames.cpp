@@ -37,6 +37,12 @@ std::span<const HeldParticle> Frames::held_between(std::size_t first, std::size_
   return {begin, std::lower_bound(begin, held_.end(), last, before)};
 }
 
+void Frames::set_memory(const RigidMotion& frame, std::size_t memory) {
+  for (HeldParticle& held : held_) {
+    if (held.frame == &frame) held.memory = memory;
+  }
+}
+
 std::size_t Frames::movable() const {
   return std::size_t(std::count_if(motions_.begin(), motions_.end(), [](const auto& motion) {
     return motion != nullptr && !motion->follows_path();

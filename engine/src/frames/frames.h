@@ -19,6 +19,7 @@ struct HeldParticle {
   double mass;     ///< [kg]
   Vec3 local;      ///< where it is in the frame [m]
   const RigidMotion* frame;
+  std::size_t memory = 0;  ///< where State::memory has what its frame carries: see carried.h
 };
 
 /// The frames of a scene, and the particles that attachments hold to them.
@@ -27,11 +28,14 @@ class Frames {
   Frames(const Scene& scene, const Order& order);
 
   /// How the frame of an effect moves; null where it has none.
-  RigidMotion* of(std::size_t effect) const { return effect < motions_.size() ? motions_[effect].get() : nullptr; }
+  RigidMotion* of(std::size_t effect) const {
+    return effect < motions_.size() ? motions_[effect].get() : nullptr;
+  }
 
   /// Sorted by particle.
   std::span<const HeldParticle> held() const { return held_; }
   std::span<const HeldParticle> held_between(std::size_t first, std::size_t last) const;
+  void set_memory(const RigidMotion& frame, std::size_t memory);
 
   /// Notes a velocity [m/s] that a held particle had, or less that it got, between the stages of a step.
   template <class Vector>

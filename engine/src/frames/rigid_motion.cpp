@@ -65,8 +65,9 @@ Vec3 RigidMotion::velocity(const Vec3& local, double time) const {
     const Vec3 spin = axis_times_angle(from_.rotation.conjugate() * to_.rotation) / span;
     return (to_.displacement - from_.displacement) / span + rotation(time) * spin.cross(local);
   }
-  const auto next = std::lower_bound(path_.begin(), path_.end(), time,
-                                     [](const RigidKeyframe& keyframe, double t) { return keyframe.time < t; });
+  const auto next =
+      std::lower_bound(path_.begin(), path_.end(), time,
+                       [](const RigidKeyframe& keyframe, double t) { return keyframe.time < t; });
   if (next == path_.begin() || next == path_.end()) return Vec3::Zero();
   const RigidKeyframe &a = *(next - 1), &b = *next;
   const double span = b.time - a.time;

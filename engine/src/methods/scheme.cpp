@@ -114,9 +114,11 @@ void Scheme<Real>::hold_blocks(const Substep<Real>& substep, const Model<Real>& 
     return;
   }
   const bool first = substep.stage == 0;
-  for (const HeldParticle& one : held) model.frames->note_velocity(one, substep.next.velocity(one.particle), first);
+  for (const HeldParticle& one : held)
+    model.frames->note_velocity(one, substep.next.velocity(one.particle), first);
   hold(held, substep.time_after, substep.next);
-  for (const HeldParticle& one : held) model.frames->note_velocity(one, -substep.next.velocity(one.particle), false);
+  for (const HeldParticle& one : held)
+    model.frames->note_velocity(one, -substep.next.velocity(one.particle), false);
 }
 
 template class Scheme<float>;

@@ -61,8 +61,8 @@ Model<Real> model_in_chosen_order(const Scene& scene, Accumulation accumulation,
                                   bool holds_like_pins) {
   const std::size_t count = scene.particles.size();
   const Adjacency adjacency(scene.springs, count);
-  return {scene, adjacency, choose_order(scene.springs, adjacency, count), accumulation, executor,
-          holds_like_pins};
+  return {scene,        adjacency, choose_order(scene.springs, adjacency, count),
+          accumulation, executor,  holds_like_pins};
 }
 
 }  // namespace

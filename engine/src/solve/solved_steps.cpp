@@ -55,8 +55,7 @@ void SolvedSteps<Real>::release(const ImplicitStage<Real>& stage, double kick, S
   find_held_forces(next, stage.time, model_, forces_, executor_, pulls_);
   for (std::size_t n = 0; n < held.size(); ++n) {
     const Index i = held[n].particle;
-    const Vec3 velocity =
-        stage.from.velocity(i).template cast<double>() + kick / held[n].mass * pulls_[n];
+    const Vec3 velocity = stage.from.velocity(i).template cast<double>() + kick / held[n].mass * pulls_[n];
     next.set_velocity(i, velocity.template cast<Real>());
   }
 }
@@ -104,7 +103,8 @@ StageResult SolvedSteps<Real>::take_two_steps(double h, double time_after, const
   release(stage, stage.h, next);
   // The frame carries what is missing to 3/2 v(next) - 2 v(now) + 1/2 v(before), over a step.
   for (const HeldParticle& held : model_.held_between(0, next.size())) {
-    const Vec3 way = held.frame->at(time_after).at(held.local) - held.frame->at(time_after - h).at(held.local);
+    const Vec3 way =
+        held.frame->at(time_after).at(held.local) - held.frame->at(time_after - h).at(held.local);
     const Vec3 free = next.velocity(held.particle).template cast<double>();
     next.set_velocity(held.particle, Vec3(1.5 * free - 0.5 / h * way).template cast<Real>());
   }
