@@ -34,6 +34,10 @@ void Simulation<Real>::move_frame(std::size_t effect, const RigidPose& pose) {
     throw std::invalid_argument("move_frame: effect " + std::to_string(effect) +
                                 " follows a path; leave its path out to move it from outside");
   require_pose("move_frame", pose);
+  const Vec3 velocity = (pose.displacement - motion->pose(time()).displacement) / p.settings.step;
+  if (!pose.displacement.template cast<Real>().allFinite() || !velocity.template cast<Real>().allFinite())
+    throw std::invalid_argument("move_frame: effect " + std::to_string(effect) +
+                                " would get a velocity that is not finite; give a smaller displacement");
   const StepTimes times{p.time_at_step_0, p.steps, p.settings.step};
   motion->move_to(pose, time(), times.after(1));
   p.model.frames->note_moved();

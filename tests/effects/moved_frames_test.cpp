@@ -133,6 +133,8 @@ TEST_CASE("a frame is not moved where that makes no sense") {
         std::string::npos);
   CHECK(message_of(simulation, 2, {Vec3::Zero(), Eigen::Quaterniond(NAN, 0, 0, 0)}).find("not finite") !=
         std::string::npos);
+  CHECK(message_of(simulation, 2, {{1e308, 0, 0}, Eigen::Quaterniond::Identity()}).find("velocity") !=
+        std::string::npos);
   CHECK(simulation.state_hash() == before);
   CHECK(message_of(simulation, 2, {}).empty());
   Snapshot<double> snapshot = simulation.snapshot();

@@ -120,6 +120,20 @@ TEST_CASE("a seam that is open closes evenly over its time, and keeps momentum")
   CHECK((velocity(simulation, 0) - Vec3(0.1, 0, 0)).norm() < 1e-12);
 }
 
+TEST_CASE("pairs that are together in a knot that closes do not close it at once") {
+  Scene scene = cloud(4);
+  scene.particles.position[1] = scene.particles.position[0];
+  scene.effects = {Gravity{}, Stitch{.first = {0, 1}, .second = {1, 2}, .closing_time = 1.0}};
+  Simulation<double> simulation(scene, {.step = 1e-2});
+  const double start = (scene.particles.position[1] - scene.particles.position[2]).norm();
+  REQUIRE(simulation.step(50).ok());
+  CHECK(distance(simulation, 0, 1) < 1e-12);
+  CHECK(distance(simulation, 1, 2) <= 0.5 * start * (1.0 + 1e-9));
+  CHECK(distance(simulation, 1, 2) > 0.3 * start);
+  REQUIRE(simulation.step(50).ok());
+  CHECK(distance(simulation, 0, 2) == 0.0);
+}
+
 TEST_CASE("a seam that is late is drawn in without a gain of energy") {
   Scene scene = cloud(4);
   scene.effects = {Stitch{.first = {0}, .second = {1}, .closing_time = 10.0}};

@@ -391,8 +391,9 @@ struct FrameAttachment {
 /// Sews pairs of particles together: the seam closes evenly over a time, and is closed then. Pairs that lead
 /// from one to the next are one knot, however many particles it joins. After each step the particles of a
 /// closed knot are put on their centre of mass, with the mean of their velocities by mass; those of one that
-/// is closing are drawn in, in proportion, until no pair is further apart than it may be by then. Momentum is
-/// kept. A knot may hold one particle that is pinned or attached: the others are drawn to it.
+/// is closing are drawn together until its pairs are no further apart than they may be by then, but for the
+/// last pairs of rings. Momentum is kept. A knot may hold one particle that is pinned, attached or scripted:
+/// the others are drawn to it.
 struct Stitch {
   std::vector<Index> first = {}, second = {};
   double closing_time = 0.0;  ///< [s], >= 0; 0: pairs are together at the start

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -25,6 +24,7 @@ class Seam final : public CompiledEffect<Real> {
         pairs_(stitch.first.size()),
         inverse_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         scripted_(scripted_times(context.scene, context.model.order)),
+        moves_(knots_.particles.size()),
         impulse_(knots_.particles.size()) {
     if (context.model.frames == nullptr) return;
     for (const Knot& knot : knots_.knots) {
@@ -76,7 +76,7 @@ class Seam final : public CompiledEffect<Real> {
             {"position", "velocity", "time"},
             {"position", "velocity"},
             knots_.bytes() + inverse_mass_.capacity() * sizeof(double) +
-                scripted_.capacity() * sizeof(ScriptedTime) + impulse_.capacity() * sizeof(Vec3) +
+                scripted_.capacity() * sizeof(ScriptedTime) + 2 * impulse_.capacity() * sizeof(Vec3) +
                 on_frames_.capacity() * sizeof(OnFrame)};
   }
 
@@ -127,15 +127,13 @@ class Seam final : public CompiledEffect<Real> {
   /// How far apart pairs may be at a time, as a share of what they were at the start.
   double open_at(double time) const { return time < closing_time_ ? 1.0 - time / closing_time_ : 0.0; }
 
-  /// By how much the worst pair of a knot is further apart than it may be: 1 or less where none is.
-  double excess(const Knot& knot, const State<Real>& state, double open) const {
-    double most = 0.0;
-    for (const KnotPair& pair : pairs_of(knot)) {
+  /// Whether no pair of a knot's tree is further apart than it may be.
+  bool is_in_time(const Knot& knot, const State<Real>& state, double open) const {
+    constexpr double rounding = 1.0 + 1e-6;
+    return std::ranges::all_of(pairs_of(knot), [&](const KnotPair& pair) {
       const Vec3 gap = (state.position(pair.child) - state.position(pair.parent)).template cast<double>();
-      const double distance = gap.norm();
-      if (distance > 0.0) most = std::max(most, distance / (open * pair.distance));
-    }
-    return most;
+      return !pair.in_tree || gap.norm() <= rounding * open * pair.distance;
+    });
   }
 
   void pull_together(const Knot& knot, const StepResult<Real>& result) {
@@ -143,10 +141,9 @@ class Seam final : public CompiledEffect<Real> {
     const double open = open_at(result.time);
     if (open == 0.0) {
       close(knot, result);
-      return;
+    } else {
+      draw_in(knot, result, open);
     }
-    const double worst = excess(knot, result.next, open);
-    if (worst > 1.0) draw_in(knot, result, 1.0 / worst);
   }
 
   void close(const Knot& knot, const StepResult<Real>& result) {
@@ -155,32 +152,61 @@ class Seam final : public CompiledEffect<Real> {
       move(n, centre.place, centre.velocity, result);
   }
 
-  /// Distances from the centre become `share` times what they are: the centre stays, and momentum.
-  void draw_in(const Knot& knot, const StepResult<Real>& result, double share) {
-    const Centre centre = centre_of(knot, result);
-    const double rate = velocity_share(knot, result, centre, 1.0 - share);
+  /// From the root on, each particle to where its pair may be; then all so that their centre stays.
+  void draw_in(const Knot& knot, const StepResult<Real>& result, double open) {
+    if (!find_moves(knot, result.next, open)) return;
+    const Vec3 shift = mean_move(knot, result.time);
+    for (std::size_t n = knot.first_particle; n < knot.last_particle; ++n) moves_[n] -= shift;
+    const double rate = velocity_share(knot, result, centre_of(knot, result).velocity);
     for (std::size_t n = knot.first_particle; n < knot.last_particle; ++n) {
       const Index i = knots_.particles[n];
-      const Vec3 away = result.next.position(i).template cast<double>() - centre.place;
-      const Vec3 velocity = result.next.velocity(i).template cast<double>();
-      move(n, centre.place + share * away, velocity - rate * (1.0 - share) * away, result);
+      move(n, result.next.position(i).template cast<double>() + moves_[n],
+           result.next.velocity(i).template cast<double>() + rate * moves_[n], result);
     }
+  }
+
+  /// By mass; zero of a knot with a particle that does not move.
+  Vec3 mean_move(const Knot& knot, double time) const {
+    Vec3 sum = Vec3::Zero();
+    double mass = 0.0;
+    for (std::size_t n = knot.first_particle; n < knot.last_particle; ++n) {
+      const double inverse = inverse_mass(knots_.particles[n], time);
+      if (inverse == 0.0) return Vec3::Zero();
+      sum += moves_[n] / inverse;
+      mass += 1.0 / inverse;
+    }
+    return sum / mass;
+  }
+
+  /// With the root where it is. Returns whether there are any.
+  bool find_moves(const Knot& knot, const State<Real>& state, double open) {
+    bool any = false;
+    moves_[knot.first_particle] = Vec3::Zero();
+    const auto pairs = pairs_of(knot);
+    for (auto pair = pairs.rbegin(); pair != pairs.rend(); ++pair) {
+      if (!pair->in_tree) continue;
+      const Vec3 gap = (state.position(pair->child) - state.position(pair->parent)).template cast<double>();
+      const double distance = gap.norm(), allowed = open * pair->distance;
+      moves_[pair->child_place] = moves_[pair->parent_place];
+      if (!(distance > allowed)) continue;
+      moves_[pair->child_place] -= (1.0 - allowed / distance) * gap;
+      any = true;
+    }
+    return any;
   }
 
   /// Velocities change by the moves times this [1/s]: a seam that closes in time gives them the speed of
   /// that; one that is late is drawn in with the least kinetic energy.
-  double velocity_share(const Knot& knot, const StepResult<Real>& result, const Centre& centre,
-                        double share) const {
-    constexpr double rounding = 1.0 + 1e-6;
+  double velocity_share(const Knot& knot, const StepResult<Real>& result, const Vec3& mean) const {
     const double inverse_h = 1.0 / result.h;
-    if (excess(knot, result.start, open_at(result.time - result.h)) <= rounding) return inverse_h;
+    if (is_in_time(knot, result.start, open_at(result.time - result.h))) return inverse_h;
     double linear = 0.0, square = 0.0;
-    for (const Index i : particles_of(knot)) {
+    for (std::size_t n = knot.first_particle; n < knot.last_particle; ++n) {
+      const Index i = knots_.particles[n];
       const double inverse = inverse_mass(i, result.time);
       if (inverse == 0.0) continue;
-      const Vec3 way = share * (centre.place - result.next.position(i).template cast<double>());
-      linear += way.dot(result.next.velocity(i).template cast<double>() - centre.velocity) / inverse;
-      square += way.squaredNorm() / inverse;
+      linear += moves_[n].dot(result.next.velocity(i).template cast<double>() - mean) / inverse;
+      square += moves_[n].squaredNorm() / inverse;
     }
     return square > 0.0 ? std::clamp(-linear / square, 0.0, inverse_h) : 0.0;
   }
@@ -212,6 +238,7 @@ class Seam final : public CompiledEffect<Real> {
   std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned or attached
   std::vector<ScriptedTime> scripted_;
   std::vector<OnFrame> on_frames_;
+  std::vector<Vec3> moves_;    ///< [m] of each of the knots' particles in a step
   std::vector<Vec3> impulse_;  ///< [N s] on each of the knots' particles in a step
   std::size_t memory_ = 0;
 };
