@@ -39,6 +39,16 @@ std::vector<Index> some_particles(const Scene& scene) {
   return particles;
 }
 
+/// Each particle with the one after it, which all are drawn together within a day.
+Stitch pairs_of(const std::vector<Index>& particles) {
+  Stitch stitch{.closing_time = 86400.0};
+  for (std::size_t i = 0; i + 1 < particles.size(); i += 2) {
+    stitch.first.push_back(particles[i]);
+    stitch.second.push_back(particles[i + 1]);
+  }
+  return stitch;
+}
+
 /// Edges that two triangles of a grid of cells share.
 double hinges(Index columns) {
   const double cells = double(columns) - 1.0;
@@ -91,6 +101,8 @@ std::vector<PricedEffect> priced_effects(Index columns) {
       {"collider (it lies on it)", sheet,
        Collider{.shape = PlaneShape{{0.0, 0.0, 1.0}}, .thickness = 1e-5, .friction = 0.3}, particle,
        particles},
+      {"frame_attachment", sheet, FrameAttachment{.particles = some}, particle, of_some},
+      {"stitch", sheet, pairs_of(some), "pair", of_some / 2.0},
       {"motion_script", sheet, MotionScript{some, {{0.0, {0, 0, 0}}, {1e3, {0.01, 0, 0}}}}, particle,
        of_some},
   };

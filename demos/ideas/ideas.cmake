@@ -16,7 +16,7 @@ target_link_libraries(hooke_account PUBLIC hooke::hooke PRIVATE hooke_program)
 hooke_warnings(hooke_account)
 
 set(HOOKE_DEMOS hello curtain rope_bridge jelly_blocks projectile spring million_springs game_loop thread_pool
-                scene_editing charged_hair)
+                scene_editing charged_hair hung_box)
 foreach(demo ${HOOKE_DEMOS})
   add_executable(demo_${demo} ideas/${demo}.cpp)
   set_target_properties(demo_${demo} PROPERTIES OUTPUT_NAME ${demo}

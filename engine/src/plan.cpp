@@ -25,7 +25,8 @@ template <class Real>
 Sweep<Real> correction_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
   const auto run = [&forces, &scheme](const Substep<Real>& substep, Executor& executor) {
     substep.next.memory = substep.start.memory;
-    if (substep.stage + 1 == scheme.stages()) forces.effects().correct(result_of(substep), executor);
+    if (substep.stage + 1 == scheme.stages())
+      forces.effects().correct(result_of(substep, scheme.last_kick()), executor);
   };
   return {"corrections", forces.effects().correction_stages(), run, {}};
 }
@@ -52,13 +53,15 @@ Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Force
   stages.push_back(method_stage(method, model.inverse_mass.bytes() + scheme.bytes()));
   if (!model.moving_pins.empty()) stages.push_back(pin_stage(model));
   const bool corrects = forces.effects().corrects_strips();
-  const auto run = [&model, &forces, &scheme, corrects](const Substep<Real>& substep, std::size_t begin,
-                                                        std::size_t end) {
+  const bool holds = !model.held_between(0, model.particles()).empty() && scheme.stages() > 1;
+  const auto run = [&model, &forces, &scheme, corrects, holds](const Substep<Real>& substep,
+                                                               std::size_t begin, std::size_t end) {
     scheme.run_blocks(substep, model, forces, begin, end);
     const auto pins = pins_between(model.moving_pins, begin * block_size, end * block_size);
     move_pins(pins, substep.time_after, substep.next);
+    if (holds && substep.stage + 1 < scheme.stages()) scheme.hold_blocks(substep, model, begin, end);
     if (corrects && substep.stage + 1 == scheme.stages())
-      forces.effects().correct_strips(result_of(substep), begin, end);
+      forces.effects().correct_strips(result_of(substep, scheme.last_kick()), begin, end);
   };
   return {"particles", std::move(stages), {}, run};
 }

@@ -46,7 +46,7 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
       stability(scene, validated<Real>(scene, settings)),
       substeps(substeps_of(stability.bounds, settings)),
       executor(executor_of(settings)),
-      model(scene, settings.accumulation, *executor),
+      model(scene, settings.accumulation, *executor, solves_equations(settings.method)),
       forces(scene, model),
       scheme(settings.method, model.particles()),
       solved(solved_steps<Real>(settings.method, {scene, model, forces, *executor})),
@@ -206,6 +206,7 @@ void Simulation<Real>::Parts::take_solved_steps(std::uint64_t count, Report& rep
 template <class Real>
 Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
   for (SweepTime& time : times) time.seconds = 0.0;
+  forces.effects().forget_forces(states.now());
   Report report;
   if (controlled) {
     take_controlled_steps(count, report);

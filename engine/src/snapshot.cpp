@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "rigid_pose_check.h"
 #include "simulation_parts.h"
 #include "stability/step_division.h"
 
@@ -86,6 +87,26 @@ void check_effects(const std::vector<Real>& values, std::size_t expected) {
           "effects remember a value that is not finite; give finite values");
 }
 
+void check_frames(const std::vector<RigidPose>& poses, const Frames* frames) {
+  const std::size_t expected = frames == nullptr ? 0 : frames->movable();
+  require(poses.empty() || poses.size() == expected, "there are " + std::to_string(poses.size()) +
+                                                         " poses of frames; the simulation needs " +
+                                                         std::to_string(expected) + ", or none");
+  for (const RigidPose& pose : poses) require_pose("snapshot", pose);
+}
+
+/// Puts frames where a snapshot has them; where it has none, where the scene has them.
+template <class Real>
+void restore_frames(const std::vector<RigidPose>& poses, Frames* frames, EffectList<Real>& effects) {
+  if (frames == nullptr) return;
+  if (poses.empty()) {
+    frames->put_back();
+  } else {
+    frames->put(poses);
+  }
+  effects.frames_changed();
+}
+
 }  // namespace
 
 template <class Real>
@@ -102,6 +123,7 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
   snapshot.method.state = hash_of_state(snapshot);
   const State<Real>& now = p.states.now();
   snapshot.effects = now.memory;
+  if (p.model.frames != nullptr) snapshot.frames = p.model.frames->poses(now.time);
   if (now.pending_kick != 0.0) {
     snapshot.method.velocities = velocities_of(now, p.model.order);
     snapshot.method.pending_kick = now.pending_kick;
@@ -128,6 +150,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   require(std::isfinite(snapshot.time), "time is not finite; give a finite value");
   check_memory(snapshot.method, p.model.particles());
   check_effects(snapshot.effects, p.states.now().memory.size());
+  check_frames(snapshot.frames, p.model.frames.get());
   p.clock.set_remainder(snapshot.remainder);
   p.set_substeps(substeps_of(p.stability.bounds, p.settings));
   if (may_halve(p.settings)) p.set_substeps(std::max(p.substeps, snapshot.method.substeps));
@@ -139,6 +162,8 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   const std::vector<Real>& velocities = pending ? memory.velocities : snapshot.velocities;
   set_state(snapshot.positions, velocities, p.model.order, p.states.now());
   p.states.now().memory = snapshot.effects;
+  restore_frames(snapshot.frames, p.model.frames.get(), p.forces.effects());
+  p.forces.effects().pins_moved(p.states.now());
   p.states.now().time = snapshot.time;
   p.states.now().pending_kick = pending ? last_kick : 0.0;
   p.states.drop();

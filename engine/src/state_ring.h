@@ -25,6 +25,9 @@ class StateRing {
   const State<Real>& now() const { return states_[now_]; }
   const State<Real>& before() const { return states_[before_]; }
 
+  /// Null where there is none but the newest.
+  State<Real>* changeable_before() { return before_ == now_ ? nullptr : &states_[before_]; }
+
   /// The most steps at once.
   std::size_t most_steps() const { return states_.size() == 2 ? 1 : ~std::size_t{0}; }
 

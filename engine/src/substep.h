@@ -19,18 +19,24 @@ struct Substep {
   std::atomic<Index>& first_bad;  ///< lowest user's number with a next value that is not finite
 };
 
-/// The result of a step, that effects may still change. Its velocities lack State::pending_kick.
+/// The result of a step, that effects may still change.
 template <class Real>
 struct StepResult {
   const State<Real>& start;  ///< of the step
   State<Real>& next;         ///< packed copies included
   double h;                  ///< [s] of the step
   double time;               ///< [s] of the result
+  double pending_kick;       ///< [s] that its velocities lack
+
+  /// How long [s] forces have acted on velocities: not a step where a kick is left pending that was none
+  /// before, as in the first step.
+  double kick_time() const { return h + start.pending_kick - pending_kick; }
 };
 
+/// `last_kick` is the share of a step that velocities then lack.
 template <class Real>
-StepResult<Real> result_of(const Substep<Real>& last) {
-  return {last.start, last.next, last.h, last.time_after};
+StepResult<Real> result_of(const Substep<Real>& last, double last_kick) {
+  return {last.start, last.next, last.h, last.time_after, last_kick * last.h};
 }
 
 }  // namespace hooke

@@ -35,15 +35,20 @@ TEST_CASE_TEMPLATE("a step allocates nothing, in any mode, by any method, on any
 
 TEST_CASE_TEMPLATE("a step with effects on stretch allocates nothing", Real, float, double) {
   Scene scene = test::hung_cloth(20, 20, 0.001);
-  scene.effects.insert(scene.effects.end(),
-                       {Cables{{0, 5, 9}}, StiffeningSprings{1.0, 1.0, {1, 2}},
-                        Plasticity{.yield = 0.0, .rate = 1.0, .springs = {3, 4}}, StrainLimit{.limit = 0.001},
-                        Tethers{}, Collider{.shape = SphereShape{{0.2, -0.2, 0.0}, 0.1}}});
+  scene.effects.insert(
+      scene.effects.end(),
+      {Cables{{0, 5, 9}}, StiffeningSprings{1.0, 1.0, {1, 2}},
+       Plasticity{.yield = 0.0, .rate = 1.0, .springs = {3, 4}}, StrainLimit{.limit = 0.001}, Tethers{},
+       Collider{.shape = SphereShape{{0.2, -0.2, 0.0}, 0.1}}, FrameAttachment{.particles = {300, 301}},
+       Stitch{.first = {200}, .second = {280}, .closing_time = 1.0}});
   for (unsigned threads : {1u, 2u}) {
     Simulation<Real> simulation(scene, {.step = 1e-3, .threads = threads});
     REQUIRE(simulation.step(20).ok());
     const std::size_t before = allocations();
+    const std::size_t attachment = scene.effects.size() - 2;
+    simulation.move_frame(attachment, {{0.0, 0.0, 0.01}, Eigen::Quaterniond::Identity()});
     const Report report = simulation.step(50);
+    CHECK(simulation.carried_force(attachment).force.norm() > 0.0);
     CHECK(allocations() == before);
     CHECK(report.limit_sweeps > 0);
   }

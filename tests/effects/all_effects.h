@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ inline Scene ball_for_effects() {
 /// An effect with values that show, and with its coefficient at zero.
 struct NamedEffect {
   std::string stage;  ///< how the names of its stages begin
-  Effect effect, zero;
+  Effect effect;
+  std::optional<Effect> zero;  ///< none of an effect that must do something
 };
 
 /// One of each alternative of Effect, in its order, for ball_for_effects(). What has no coefficient has
@@ -59,6 +61,10 @@ inline std::vector<NamedEffect> one_of_each_effect() {
       {"motion_script", MotionScript{{7}, {{0.0, Vec3::Zero()}, {1.0, {0.1, 0.0, 0.0}}}}, MotionScript{}},
       {"collider", Collider{.shape = SphereShape{{0.0, 0.0, 0.0}, 0.51}, .friction = 0.2},
        Collider{.shape = PlaneShape{{0.0, 1.0, 0.0}, -1e6}}},
+      {"frame_attachment",
+       FrameAttachment{.particles = {10, 11}, .path = {{0.0}, {1.0, {0.0, 0.1, 0.0}, 20.0}}},
+       {}},
+      {"stitch", Stitch{.first = {8}, .second = {9}, .closing_time = 0.5}, {}},
   };
 }
 

@@ -348,11 +348,13 @@ struct Volume {
 /// through, which a thickness hides.
 struct Collider {
   ColliderShape shape = PlaneShape{};
-  double thickness = 0.0;                ///< [m], >= 0
-  double friction = 0.0;                 ///< mu [1], >= 0
-  double restitution = 0.0;              ///< e [1], from 0 to 1
-  Vec3 axis{0.0, 1.0, 0.0};              ///< that it turns about; any length but zero
-  std::vector<RigidKeyframe> path = {};  ///< straight lines and even turns between; held before and after
+  double thickness = 0.0;    ///< [m], >= 0
+  double friction = 0.0;     ///< mu [1], >= 0
+  double restitution = 0.0;  ///< e [1], from 0 to 1
+  Vec3 axis{0.0, 1.0, 0.0};  ///< that its path turns about; any length but zero
+  /// Straight lines and even turns between; held before and after. Without one it stays, until the host moves
+  /// it: see Simulation::move_frame().
+  std::vector<RigidKeyframe> path = {};
 
   static constexpr std::string_view name = "collider";
   template <class Self, class Visit>
@@ -363,6 +365,45 @@ struct Collider {
     visit("restitution", self.restitution);
     visit("axis", self.axis);
     visit("path", self.path);
+  }
+};
+
+/// Holds particles to a frame, where they are in it at the start of the scene. The frame stays, or follows
+/// its path, or goes where the host puts it (Simulation::move_frame), which is told the force that the frame
+/// carries for it (Simulation::carried_force). Methods that solve equations, and stages of others, see these
+/// particles on the frame; the stitches and limits of a scene take them for immovable.
+struct FrameAttachment {
+  std::vector<Index> particles = {};
+  Vec3 origin = Vec3::Zero();            ///< of the frame: what it turns about, and torques are about [m]
+  Vec3 axis{0.0, 1.0, 0.0};              ///< that its path turns about; any length but zero
+  std::vector<RigidKeyframe> path = {};  ///< straight lines and even turns between; held before and after
+
+  static constexpr std::string_view name = "frame_attachment";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("particles", self.particles);
+    visit("origin", self.origin);
+    visit("axis", self.axis);
+    visit("path", self.path);
+  }
+};
+
+/// Sews pairs of particles together: the seam closes evenly over a time, and is closed then. Pairs that lead
+/// from one to the next are one knot, however many particles it joins. After each step the particles of a
+/// closed knot are put on their centre of mass, with the mean of their velocities by mass; those of one that
+/// is closing are drawn together until its pairs are no further apart than they may be by then, but for the
+/// last pairs of rings. Momentum is kept. A knot may hold one particle that is pinned, attached or scripted:
+/// the others are drawn to it.
+struct Stitch {
+  std::vector<Index> first = {}, second = {};
+  double closing_time = 0.0;  ///< [s], >= 0; 0: pairs are together at the start
+
+  static constexpr std::string_view name = "stitch";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("first", self.first);
+    visit("second", self.second);
+    visit("closing_time", self.closing_time);
   }
 };
 
@@ -391,8 +432,9 @@ struct CustomEffect {
   static void fields(Self&, Visit&&) {}
 };
 
-using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
-                            LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity,
-                            Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript, Collider>;
+using Effect =
+    std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
+                 LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity, Pressure, Volume,
+                 CustomEffect, StrainLimit, Tethers, MotionScript, Collider, FrameAttachment, Stitch>;
 
 }  // namespace hooke

@@ -13,6 +13,7 @@
 #include <hooke/materials.h>
 #include <hooke/methods.h>
 #include <hooke/report.h>
+#include <hooke/rigid_pose.h>
 #include <hooke/scene.h>
 #include <hooke/simulation.h>
 #include <hooke/stability.h>

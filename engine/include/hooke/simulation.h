@@ -14,6 +14,7 @@
 #include <hooke/executor.h>
 #include <hooke/methods.h>
 #include <hooke/report.h>
+#include <hooke/rigid_pose.h>
 #include <hooke/scene.h>
 #include <hooke/stability.h>
 
@@ -116,6 +117,9 @@ struct Snapshot {
   double remainder = 0.0;  ///< [s] of the clock
   MethodMemory<Real> method;
   std::vector<Real> effects;  ///< what effects remember, such as how far springs have yielded; mostly nothing
+  /// Of the frames that the host may move, in the order of their effects; empty where it never moved one. A
+  /// pose that was given for the next step is not in it.
+  std::vector<RigidPose> frames;
 };
 
 /// A scene, compiled and running. Real is float or double.
@@ -162,6 +166,41 @@ class Simulation {
   /// std::out_of_range where there is no such particle and std::invalid_argument where the impulse, or the
   /// velocity that it would give, is not finite; then nothing changes.
   void apply_impulse(Index particle, const Vec3& impulse);
+
+  /// The frame of an effect of the scene (Collider, FrameAttachment), by its number, will have this pose at
+  /// the end of the next step, against its pose in the scene: the frame goes there evenly, and stays there in
+  /// the steps after it. What it meets or holds gets its velocity, (pose after - pose before) / step. Throws
+  /// std::out_of_range where there is no such effect, std::invalid_argument where it has no frame or a path,
+  /// and for a pose that is not finite or a rotation that is not of unit length; then nothing changes.
+  void move_frame(std::size_t effect, const RigidPose& pose);
+
+  /// What the frame of a FrameAttachment had to carry on the mean of the last call of step() or advance():
+  /// the forces on its particles, less what moved these with it. The momentum that particles lose to the
+  /// frame is this times the time, to round-off; by methods that solve equations to what these leave
+  /// unsolved. By methods that leave a kick pending (Verlet, BlanesMoan) momentum is that without it. What a
+  /// StrainLimit and a Stitch pull with is in it. The torque is about the origin of the frame, with forces
+  /// where particles are at the start of each step. Zero before the first step. Throws std::out_of_range
+  /// where there is no such effect, std::invalid_argument where it is no attachment.
+  FrameLoad carried_force(std::size_t effect) const;
+
+  /// The force that acts now on the particles of a FrameAttachment, without the inertia of these: a body that
+  /// takes it should add their masses to its own, and moves as one with them. Costs an evaluation of forces.
+  /// Throws like carried_force().
+  FrameLoad pull_on_frame(std::size_t effect) const;
+
+  /// The forces [N] with which the pairs of a Stitch hold their `first` particles, on the mean of the last
+  /// call of step() or advance(); `second` is held by the opposite. Of pairs that close a ring the last has
+  /// none. Throws like carried_force().
+  std::vector<Vec3> stitch_forces(std::size_t effect) const;
+
+  /// Moves everything, or some particles, elsewhere without a shock: positions are turned about the world's
+  /// origin and displaced, velocities turned, in the state before too; nothing gets a velocity from it. The
+  /// run goes on as one that starts there. Frames of attachments go with their particles, which must all be
+  /// named; colliders stay. Throws std::out_of_range where there is no such particle, std::invalid_argument
+  /// for one that is named twice or follows a path, a pose that is not finite or a rotation that is not of
+  /// unit length, or what it would lead to is not finite; then nothing changes.
+  void teleport(const RigidPose& transform);
+  void teleport(std::span<const Index> particles, const RigidPose& transform);
 
   Snapshot<Real> snapshot() const;
   /// Throws std::invalid_argument, and changes nothing, if the snapshot is of another number of particles or

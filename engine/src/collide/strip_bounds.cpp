@@ -96,6 +96,12 @@ Bounds<double> bounds_of(const State<double>& a, const State<double>& b, std::si
 }
 
 template <class Real>
+void BoundsList<Real>::drop(std::size_t box) {
+  values_[0][box] = std::numeric_limits<Real>::infinity();
+  values_[3][box] = -std::numeric_limits<Real>::infinity();
+}
+
+template <class Real>
 void BoundsList<Real>::add(const Bounds<Real>& bounds) {
   constexpr Real infinite = std::numeric_limits<Real>::infinity();
   ++size_;

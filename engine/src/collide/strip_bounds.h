@@ -25,6 +25,10 @@ class BoundsList {
  public:
   void add(const Bounds<Real>& bounds);
 
+  /// A box that meets nothing from now on; the others keep their numbers.
+  void drop(std::size_t box);
+  bool dropped(std::size_t box) const { return low(0)[box] > high(0)[box]; }
+
   std::size_t size() const { return size_; }
   const Real* low(std::size_t axis) const { return values_[axis].data(); }
   const Real* high(std::size_t axis) const { return values_[3 + axis].data(); }

@@ -3,10 +3,11 @@
 #include <limits>
 #include <string>
 
-#include "collide/collider_motion.h"
 #include "collide/mesh_checks.h"
+#include "collide/pose_of.h"
 #include "collide/strip_bounds.h"
 #include "effects/effect_functions.h"
+#include "effects/rigid_path_checks.h"
 #include "scene/number_text.h"
 
 namespace hooke {
@@ -19,7 +20,7 @@ constexpr double rounding = 8.0 * double(std::numeric_limits<Real>::epsilon());
 /// A collider, as it runs.
 template <class Real>
 struct Solid {
-  ColliderMotion motion;
+  const RigidMotion* motion;
   LocalShape<Real> shape;
   double reach;  ///< [m] from its origin, thickness included, however it is turned
   Real thickness, friction, restitution;
@@ -49,8 +50,9 @@ template <class Real>
 class Colliders final : public CompiledEffect<Real> {
  public:
   explicit Colliders(const EffectContext<Real>& context) : blocks_(block_count(context.model.particles())) {
-    for (const Effect& effect : context.scene.effects) {
-      if (const auto* collider = std::get_if<Collider>(&effect)) add(*collider);
+    for (std::size_t i = 0; i < context.scene.effects.size(); ++i) {
+      if (const auto* collider = std::get_if<Collider>(&context.scene.effects[i]))
+        add(*collider, context.model.frames->of(i));
     }
     for (std::size_t block = 0; block < blocks_; ++block) free_.push_back(free_lanes(context.model, block));
   }
@@ -67,12 +69,22 @@ class Colliders final : public CompiledEffect<Real> {
     });
   }
 
+  /// One that the host has begun to move is no longer looked for in the boxes of those that are still.
+  void frames_changed() override {
+    for (std::size_t s = 0; s < still_.size(); ++s) {
+      if (still_[s].motion->still() || bounds_.dropped(s)) continue;
+      moving_.push_back(still_[s]);
+      bounds_.drop(s);
+    }
+  }
+
   Stage stage() const override {
     std::size_t bytes = free_.capacity() * sizeof(std::uint16_t) + bounds_.bytes() +
-                        moving_.capacity() * sizeof(Solid<Real>) +
                         contacts_.capacity() * sizeof(Contact<Real>);
-    for (const Solid<Real>& solid : moving_) bytes += solid.motion.bytes() + bytes_of(solid.shape);
-    for (const Contact<Real>& contact : contacts_) bytes += bytes_of(contact.shape);
+    for (const auto* solids : {&still_, &moving_}) {
+      bytes += solids->capacity() * sizeof(Solid<Real>);
+      for (const Solid<Real>& solid : *solids) bytes += solid.motion->bytes() + bytes_of(solid.shape);
+    }
     return {
         std::string(Collider::name), {}, {"position", "velocity", "time"}, {"position", "velocity"}, bytes};
   }
@@ -87,19 +99,20 @@ class Colliders final : public CompiledEffect<Real> {
     return std::uint16_t(lanes);
   }
 
-  void add(const Collider& collider) {
-    Solid<Real> solid{ColliderMotion(collider),
+  void add(const Collider& collider, const RigidMotion* motion) {
+    Solid<Real> solid{motion,
                       local_shape<Real>(collider.shape, collider.thickness, blocks_),
                       radius_of(collider.shape) + collider.thickness,
                       Real(collider.thickness),
                       Real(collider.friction),
                       Real(collider.restitution)};
-    if (!solid.motion.still()) {
+    if (!solid.motion->still()) {
       moving_.push_back(std::move(solid));
       return;
     }
     bounds_.add(around(collider, solid));
     contacts_.push_back(contact_of(solid, 0.0, 0.0, 1.0));
+    still_.push_back(std::move(solid));
   }
 
   /// Of one that does not move.
@@ -107,8 +120,8 @@ class Colliders final : public CompiledEffect<Real> {
     constexpr Real infinite = std::numeric_limits<Real>::infinity();
     if (std::holds_alternative<PlaneShape>(collider.shape))
       return {{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
-    const Vec3 origin = solid.motion.origin(0.0);
-    const Vec3 half = solid.motion.rotation(0.0).cwiseAbs() * half_extent_of(collider.shape) +
+    const Vec3 origin = solid.motion->origin(0.0);
+    const Vec3 half = solid.motion->rotation(0.0).cwiseAbs() * half_extent_of(collider.shape) +
                       Vec3::Constant(collider.thickness);
     Bounds<Real> bounds;
     for (Eigen::Index k = 0; k < 3; ++k) {
@@ -121,15 +134,15 @@ class Colliders final : public CompiledEffect<Real> {
 
   static Contact<Real> contact_of(const Solid<Real>& solid, double before, double after, double h) {
     Contact<Real> contact{solid.shape,
-                          pose_at<Real>(solid.motion, before),
-                          pose_at<Real>(solid.motion, after),
+                          pose_of<Real>(solid.motion->at(before)),
+                          pose_of<Real>(solid.motion->at(after)),
                           {},
                           {},
                           solid.thickness,
                           solid.friction,
                           solid.restitution};
-    const Vec3 velocity = (solid.motion.origin(after) - solid.motion.origin(before)) / h;
-    const Vec3 spin = (solid.motion.angle(after) - solid.motion.angle(before)) / h * solid.motion.axis();
+    const Vec3 velocity = (solid.motion->origin(after) - solid.motion->origin(before)) / h;
+    const Vec3 spin = solid.motion->turn(before, after) / h;
     for (Eigen::Index k = 0; k < 3; ++k) {
       contact.velocity[k] = Real(velocity[k]);
       contact.spin[k] = Real(spin[k]);
@@ -141,7 +154,7 @@ class Colliders final : public CompiledEffect<Real> {
   void meet(const Solid<Real>& solid, const StepResult<Real>& result, const Bounds<Real>& box,
             std::size_t first, std::size_t last) const {
     const double before = result.time - result.h;
-    const Vec3 from = solid.motion.origin(before), to = solid.motion.origin(result.time);
+    const Vec3 from = solid.motion->origin(before), to = solid.motion->origin(result.time);
     for (Eigen::Index k = 0; k < 3; ++k) {
       if (std::min(from[k], to[k]) - solid.reach > double(box.high[k])) return;
       if (std::max(from[k], to[k]) + solid.reach < double(box.low[k])) return;
@@ -174,7 +187,7 @@ class Colliders final : public CompiledEffect<Real> {
   }
 
   std::size_t blocks_;
-  std::vector<Solid<Real>> moving_;
+  std::vector<Solid<Real>> still_, moving_;
   std::vector<Contact<Real>> contacts_;  ///< with those that are still
   BoundsList<Real> bounds_;              ///< around these
   std::vector<std::uint16_t> free_;      ///< of each block the lanes of particles that are not pinned
@@ -225,16 +238,6 @@ void check_shape(const HeightfieldShape& field, const ElementChecks& checks) {
   check_heightfield(field, checks);
 }
 
-void check_path(const std::vector<RigidKeyframe>& path, const ElementChecks& checks) {
-  double latest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const std::string name = "path[" + std::to_string(i) + "]";
-    checks.later_time(name + ".time", path[i].time, latest);
-    checks.finite(name + ".displacement", path[i].displacement, "m");
-    checks.finite(name + ".degrees", path[i].degrees, "deg");
-  }
-}
-
 }  // namespace
 
 template <class Real>
@@ -253,7 +256,7 @@ void check_effect(const Collider& collider, const Scene&, const ElementChecks& c
   if (!(collider.restitution >= 0.0 && collider.restitution <= 1.0))
     checks.add("restitution is " + to_text(collider.restitution), "give a value from 0 to 1");
   checks.direction("axis", collider.axis);
-  check_path(collider.path, checks);
+  check_rigid_path(collider.path, checks);
 }
 
 /// It takes no shorter steps.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <hooke/effects.h>
@@ -22,8 +23,9 @@ enum EffectPart : unsigned {
   has_own_derivative = 4,  ///< add_derivative()
   is_coupled = 8,  ///< the force on a particle depends on others: reach(), and add_product() where there
                    ///< is a derivative
-  corrects_strips = 16,     ///< correct_strip()
-  corrects_everything = 32  ///< correct()
+  corrects_strips = 16,      ///< correct_strip()
+  corrects_everything = 32,  ///< correct()
+  carries_forces = 64        ///< forget_forces(), and carried_force() or pair_forces()
 };
 
 /// An effect, compiled for a scene: a force, or something that is done to the result of a step, or both. What
@@ -76,6 +78,27 @@ class CompiledEffect {
   /// Changes the result of a step in place.
   virtual void correct(const StepResult<Real>&, Executor&) {}
 
+  /// Corrections of everything go by this, lowest first, and then by the order of the scene.
+  virtual int correction_rank() const { return 0; }
+
+  /// A frame was moved by the host that stood still till then.
+  virtual void frames_changed() {}
+
+  /// Whether a path leads a particle, of the engine's order, from place to place of the scene.
+  virtual bool leads(Index /*particle*/) const { return false; }
+
+  /// The particles of pins were put elsewhere.
+  virtual void pins_moved(const State<Real>& /*state*/) {}
+
+  /// Of an effect that carries forces, which it sums up in its memory: begins from nothing.
+  virtual void forget_forces(State<Real>&) const {}
+
+  /// What a frame carried since then, on the mean; none of an effect that is no attachment to a frame.
+  virtual std::optional<FrameLoad> carried_force(const State<Real>&) const { return {}; }
+
+  /// Likewise what pairs of particles hold their first one with [N]; none of an effect without pairs.
+  virtual std::optional<std::vector<Vec3>> pair_forces(const State<Real>&) const { return {}; }
+
   /// Of an effect with correct(): adds what it has met with since it was asked last, and forgets it.
   virtual void tell(Report&) {}
 
@@ -99,6 +122,7 @@ template <class Real>
 struct EffectContext {
   const Scene& scene;
   const Model<Real>& model;
+  std::size_t number = 0;  ///< of the effect in the scene
 };
 
 /// The effect as it runs. One for each alternative of Effect, each in a file of its own.

@@ -49,6 +49,10 @@ template <class Real>
 EffectPointer<Real> compile_effect(const MotionScript&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const Collider&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const FrameAttachment&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Stitch&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -71,6 +75,8 @@ void check_effect(const StrainLimit&, const Scene&, const ElementChecks&);
 void check_effect(const Tethers&, const Scene&, const ElementChecks&);
 void check_effect(const MotionScript&, const Scene&, const ElementChecks&);
 void check_effect(const Collider&, const Scene&, const ElementChecks&);
+void check_effect(const FrameAttachment&, const Scene&, const ElementChecks&);
+void check_effect(const Stitch&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -93,6 +99,8 @@ void add_bounds(const StrainLimit&, const Scene&, HeldParticles&);
 void add_bounds(const Tethers&, const Scene&, HeldParticles&);
 void add_bounds(const MotionScript&, const Scene&, HeldParticles&);
 void add_bounds(const Collider&, const Scene&, HeldParticles&);
+void add_bounds(const FrameAttachment&, const Scene&, HeldParticles&);
+void add_bounds(const Stitch&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
@@ -120,6 +128,10 @@ template <>
 inline constexpr bool does_unknown_work<MotionScript> = true;
 template <>
 inline constexpr bool does_unknown_work<Collider> = true;  // it may move, and begin around particles
+template <>
+inline constexpr bool does_unknown_work<FrameAttachment> = true;
+template <>
+inline constexpr bool does_unknown_work<Stitch> = true;  // a seam that closes pulls
 
 bool does_unknown_work_in(const Scene& scene);
 
@@ -136,5 +148,9 @@ template <>
 inline constexpr bool corrects_results<MotionScript> = true;
 template <>
 inline constexpr bool corrects_results<Collider> = true;
+template <>
+inline constexpr bool corrects_results<FrameAttachment> = true;
+template <>
+inline constexpr bool corrects_results<Stitch> = true;
 
 }  // namespace hooke

@@ -25,8 +25,8 @@ void add_scaled(std::size_t lanes, Real factor, const StripBlocks<Real>& part, S
 
 template <class Real>
 EffectList<Real>::EffectList(const Scene& scene, const Model<Real>& model) {
-  const EffectContext<Real> context{scene, model};
   for (const Effect& effect : scene.effects) {
+    const EffectContext<Real> context{scene, model, effects_.size()};
     std::visit([&](const auto& data) { effects_.push_back(compile_effect<Real>(data, context)); }, effect);
   }
   forces_ = with(has_force);
@@ -39,6 +39,9 @@ EffectList<Real>::EffectList(const Scene& scene, const Model<Real>& model) {
   }
   strip_correctors_ = with(hooke::corrects_strips);
   correctors_ = with(corrects_everything);
+  std::stable_sort(correctors_.begin(), correctors_.end(),
+                   [](const auto* a, const auto* b) { return a->correction_rank() < b->correction_rank(); });
+  carriers_ = with(carries_forces);
   share_out_memory();
 }
 
@@ -69,6 +72,12 @@ template <class Real>
 bool EffectList<Real>::calls_user() const {
   return std::any_of(effects_.begin(), effects_.end(),
                      [](const auto& effect) { return effect->calls_user(); });
+}
+
+template <class Real>
+bool EffectList<Real>::leads(Index particle) const {
+  return std::any_of(effects_.begin(), effects_.end(),
+                     [&](const auto& effect) { return effect->leads(particle); });
 }
 
 template <class Real>

@@ -85,6 +85,23 @@ class EffectList {
 
   double energy(const Strip<Real>& strip) const;  ///< potential [J]
 
+  std::size_t size() const { return effects_.size(); }
+  const CompiledEffect<Real>& operator[](std::size_t effect) const { return *effects_[effect]; }
+
+  /// Sums of carried forces begin anew.
+  void forget_forces(State<Real>& state) const {
+    for (const CompiledEffect<Real>* effect : carriers_) effect->forget_forces(state);
+  }
+
+  /// See CompiledEffect.
+  void frames_changed() {
+    for (const EffectPointer<Real>& effect : effects_) effect->frames_changed();
+  }
+  bool leads(Index particle) const;
+  void pins_moved(const State<Real>& state) {
+    for (const EffectPointer<Real>& effect : effects_) effect->pins_moved(state);
+  }
+
   /// State::memory at the start.
   const std::vector<Real>& initial_memory() const { return initial_memory_; }
 
@@ -102,7 +119,7 @@ class EffectList {
 
   std::vector<EffectPointer<Real>> effects_;
   Some forces_, uncoupled_, coupled_, prepared_, uncoupled_derived_, coupled_derived_, strip_correctors_,
-      correctors_;
+      correctors_, carriers_;
   std::vector<Real> initial_memory_;
 };
 

@@ -47,6 +47,11 @@ class ScriptedMotion final : public CompiledEffect<Real> {
     }
   }
 
+  bool leads(Index particle) const override {
+    return std::any_of(moved_.begin(), moved_.end(),
+                       [&](const auto& one) { return one.particle == particle; });
+  }
+
   Stage stage() const override {
     return {std::string(MotionScript::name),
             {},

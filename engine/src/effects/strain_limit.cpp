@@ -2,8 +2,10 @@
 #include <string>
 
 #include "effects/effect_functions.h"
+#include "effects/immovable.h"
 #include "effects/named_springs.h"
 #include "effects/strain_sweeps.h"
+#include "frames/carried.h"
 #include "scene/number_text.h"
 
 namespace hooke {
@@ -11,30 +13,6 @@ namespace {
 
 /// More than this in a step take too long to be meant.
 constexpr std::uint64_t most_sweeps = 1'000'000;
-
-/// A particle that a script moves from one time to another [s].
-struct ScriptedTime {
-  Index particle;
-  double from, to;
-};
-
-std::vector<ScriptedTime> scripted_times(const Scene& scene, const Order& order) {
-  std::vector<ScriptedTime> times;
-  for (const Effect& effect : scene.effects) {
-    const auto* const script = std::get_if<MotionScript>(&effect);
-    if (script == nullptr) continue;
-    for (const Index particle : script->particles)
-      times.push_back({order.engine(particle), script->path.front().time, script->path.back().time});
-  }
-  return times;
-}
-
-std::vector<double> inverse_masses(const Scene& scene, const Order& order) {
-  std::vector<double> inverse(order.size());
-  for (std::size_t i = 0; i < inverse.size(); ++i) inverse[order.engine(i)] = 1.0 / scene.particles.mass[i];
-  for (const Pin& pin : scene.pins) inverse[order.engine(pin.particle)] = 0.0;
-  return inverse;
-}
 
 /// Of a change of positions: how much kinetic energy is gained by changing velocities in proportion.
 struct EnergyGain {
@@ -51,10 +29,13 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
  public:
   StrainLimitCorrection(const StrainLimit& limit, const EffectContext<Real>& context)
       : sweeps_(limit, context.scene, context.model.order),
-        inverse_mass_(inverse_masses(context.scene, context.model.order)),
+        inverse_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         scripted_(scripted_times(context.scene, context.model.order)),
-        pins_move_(!context.model.moving_pins.empty() || !scripted_.empty()),
+        pins_move_(!context.model.moving_pins.empty() || !scripted_.empty() ||
+                   has_attachments(context.scene)),
+        frames_(context.model.frames),
         particles_(inverse_mass_.size()),
+        pulled_(has_attachments(context.scene) ? inverse_mass_.size() : 0),
         gains_((inverse_mass_.size() + particles_in_run - 1) / particles_in_run) {}
 
   unsigned parts() const override { return corrects_everything; }
@@ -63,14 +44,19 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
     if (excess_of(result.next, executor).springs == 0) return;
     load(result, executor);
     std::uint64_t sweeps = 0;
-    const StrainExcess left = sweeps_.run(particles_, sweeps, executor);
+    std::fill(pulled_.begin(), pulled_.end(), Vec3::Zero());
+    const StrainExcess left =
+        sweeps_.run(particles_, sweeps, pulled_.empty() ? nullptr : pulled_.data(), executor);
     met_with_.limit_sweeps = std::max(met_with_.limit_sweeps, sweeps);
     if (left.springs > 0) {
       met_with_.flags |= flag_limit_not_met;
       met_with_.springs_over_limit = left.springs;
       met_with_.largest_strain = left.largest;
     }
-    store(result, velocity_share(result, executor), executor);
+    const double share = velocity_share(result, executor);
+    store(result, share, executor);
+    if (pulled_.empty()) return;
+    for (const HeldParticle& held : frames_->held()) carry(held, share * pulled_[held.particle], result);
   }
 
   void tell(Report& report) override {
@@ -87,7 +73,7 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
             {"position", "velocity", "mass", "springs"},
             {"position", "velocity"},
             sweeps_.bytes() + inverse_mass_.capacity() * sizeof(double) +
-                particles_.capacity() * sizeof(StrainSweeps::Particle)};
+                particles_.capacity() * sizeof(StrainSweeps::Particle) + pulled_.capacity() * sizeof(Vec3)};
   }
 
  private:
@@ -146,10 +132,12 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
   }
 
   StrainSweeps sweeps_;
-  std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned
+  std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned or attached
   std::vector<ScriptedTime> scripted_;
   bool pins_move_;
+  std::shared_ptr<const Frames> frames_;
   std::vector<StrainSweeps::Particle> particles_;
+  std::vector<Vec3> pulled_;  ///< see StrainSweeps::run(); only where particles are attached
   std::vector<EnergyGain> gains_;
   Report met_with_;  ///< since it was told last
 };

@@ -32,11 +32,12 @@ StrainSweeps::StrainSweeps(const StrainLimit& limit, const Scene& scene, const O
   sums_.resize((springs_.size() + springs_in_run - 1) / springs_in_run);
 }
 
-StrainExcess StrainSweeps::run(std::vector<Particle>& particles, std::uint64_t& sweeps, Executor& executor) {
+StrainExcess StrainSweeps::run(std::vector<Particle>& particles, std::uint64_t& sweeps, Vec3* pulled,
+                               Executor& executor) {
   const auto position = [&](std::size_t i) { return particles[i].position; };
   StrainExcess left;
   for (sweeps = 0; sweeps < most_sweeps_;) {
-    sweep(particles, executor);
+    sweep(particles, pulled, executor);
     ++sweeps;
     left = excess<double>(position, executor);
     if (left.springs == 0) break;
@@ -44,18 +45,18 @@ StrainExcess StrainSweeps::run(std::vector<Particle>& particles, std::uint64_t& 
   return left;
 }
 
-void StrainSweeps::sweep(std::vector<Particle>& particles, Executor& executor) {
+void StrainSweeps::sweep(std::vector<Particle>& particles, Vec3* pulled, Executor& executor) {
   for (std::size_t colour = 0; colour < colours(); ++colour) {
     const std::size_t first = colour_begin_[colour];
     executor.parallel_for(colour_begin_[colour + 1] - first, springs_at_once,
                           [&](std::size_t begin, std::size_t end) {
                             for (std::size_t s = first + begin; s < first + end; ++s)
-                              project(springs_[s], particles);
+                              project(springs_[s], particles, pulled);
                           });
   }
 }
 
-void StrainSweeps::project(const Spring& spring, std::vector<Particle>& particles) {
+void StrainSweeps::project(const Spring& spring, std::vector<Particle>& particles, Vec3* pulled) {
   Particle &a = particles[spring.first], &b = particles[spring.second];
   const double inverse_masses = a.inverse_mass + b.inverse_mass;
   const Vec3 apart = b.position - a.position;
@@ -64,6 +65,9 @@ void StrainSweeps::project(const Spring& spring, std::vector<Particle>& particle
   const Vec3 pull = (over_relaxation * (excess + margin * spring.rest) / (inverse_masses * length)) * apart;
   a.position += a.inverse_mass * pull;
   b.position -= b.inverse_mass * pull;
+  if (pulled == nullptr) return;
+  if (a.inverse_mass == 0.0) pulled[spring.first] += pull;
+  if (b.inverse_mass == 0.0) pulled[spring.second] -= pull;
 }
 
 }  // namespace hooke

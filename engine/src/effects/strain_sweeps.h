@@ -42,7 +42,9 @@ class StrainSweeps {
 
   /// Sweeps until no spring exceeds the limit, or as often as allowed, and says what then does. `sweeps` gets
   /// how many there were.
-  StrainExcess run(std::vector<Particle>& particles, std::uint64_t& sweeps, Executor& executor);
+  /// `pulled`, where it is given, gets for each particle that is not moved what it was pulled by: the
+  /// momentum that its neighbours are moved with, times a time [kg m].
+  StrainExcess run(std::vector<Particle>& particles, std::uint64_t& sweeps, Vec3* pulled, Executor& executor);
 
   /// What exceeds the limit by more than a millionth of its rest length, and than rounding of positions in
   /// `Real` does. position(i) is that of a particle in the engine's order.
@@ -78,8 +80,8 @@ class StrainSweeps {
   };
 
   static double largest(const Vec3& v) { return v.cwiseAbs().maxCoeff(); }
-  void sweep(std::vector<Particle>& particles, Executor& executor);
-  static void project(const Spring& spring, std::vector<Particle>& particles);
+  void sweep(std::vector<Particle>& particles, Vec3* pulled, Executor& executor);
+  static void project(const Spring& spring, std::vector<Particle>& particles, Vec3* pulled);
 
   std::uint64_t most_sweeps_;
   std::vector<Spring> springs_;            ///< colour by colour

@@ -15,7 +15,8 @@ struct Tether {
 
 /// Where a pin's particle is.
 struct Anchor {
-  Vec3 start;  ///< [m] at zero displacement
+  Index particle;  ///< in the engine's order
+  Vec3 start;      ///< [m] at zero displacement
   std::vector<Keyframe> path;
 
   Vec3 position(double time) const {
@@ -41,7 +42,9 @@ class TetherCorrection final : public CompiledEffect<Real> {
  public:
   TetherCorrection(const Tethers& tethers, const EffectContext<Real>& context) {
     const Scene& scene = context.scene;
-    for (const Pin& pin : scene.pins) anchors_.push_back({scene.particles.position[pin.particle], pin.path});
+    for (const Pin& pin : scene.pins)
+      anchors_.push_back(
+          {context.model.order.engine(pin.particle), scene.particles.position[pin.particle], pin.path});
     const std::vector<WayToPin> ways = ways_to_pins(scene);
     for (const Index particle : tethered_particles(tethers, scene)) {
       const WayToPin& way = ways[particle];
@@ -59,6 +62,14 @@ class TetherCorrection final : public CompiledEffect<Real> {
     const auto before = [](const Tether& tether, std::size_t i) { return tether.particle < i; };
     auto tether = std::lower_bound(tethers_.begin(), tethers_.end(), begin * block_size, before);
     for (; tether != tethers_.end() && tether->particle < end * block_size; ++tether) hold(*tether, result);
+  }
+
+  void pins_moved(const State<Real>& state) override {
+    for (Anchor& anchor : anchors_) {
+      const Eigen::Matrix<Real, 3, 1> place = state.position(anchor.particle);
+      const bool stays = anchor.start.template cast<Real>() == place;  // do not lose what rounding took
+      if (anchor.path.empty() && !stays) anchor.start = place.template cast<double>();
+    }
   }
 
   Stage stage() const override {

@@ -105,6 +105,22 @@ void Scheme<Real>::run_blocks(const Substep<Real>& substep, const Model<Real>& m
   });
 }
 
+template <class Real>
+void Scheme<Real>::hold_blocks(const Substep<Real>& substep, const Model<Real>& model, std::size_t begin,
+                               std::size_t end) const {
+  const auto held = model.held_between(begin * block_size, end * block_size);
+  if (std::holds_alternative<RungeKutta<Real>>(family_)) {
+    hold(held, substep.time_after, substep.next);
+    return;
+  }
+  const bool first = substep.stage == 0;
+  for (const HeldParticle& one : held)
+    model.frames->note_velocity(one, substep.next.velocity(one.particle), first);
+  hold(held, substep.time_after, substep.next);
+  for (const HeldParticle& one : held)
+    model.frames->note_velocity(one, -substep.next.velocity(one.particle), false);
+}
+
 template class Scheme<float>;
 template class Scheme<double>;
 

@@ -45,6 +45,11 @@ class Scheme {
   void run_blocks(const Substep<Real>& substep, const Model<Real>& model, Forces<Real>& forces,
                   std::size_t begin, std::size_t end);
 
+  /// Puts particles that attachments hold where their frames are between two stages, with its
+  /// velocities. What splitting methods have kicked them by till then is noted: see Frames::taken().
+  void hold_blocks(const Substep<Real>& substep, const Model<Real>& model, std::size_t begin,
+                   std::size_t end) const;
+
  private:
   std::variant<Splitting, RungeKutta<Real>> family_;
   bool controlled_;

@@ -32,6 +32,8 @@ const State<Real>& WholeState<Real>::of(const State<Real>& now, const Model<Real
   evaluate(now, model, forces, executor, *accelerations_, 0);
   *state_ = now;
   finish_kick(*accelerations_, *state_);
+  for (const HeldParticle& held : model.held_between(0, now.size()))
+    state_->set_velocity(held.particle, now.velocity(held.particle));
   made_ = true;
   return *state_;
 }

@@ -9,9 +9,12 @@ namespace hooke {
 namespace {
 
 template <class Real>
-BlockRows<Real> inverse_masses(const Scene& scene, const Order& order) {
+BlockRows<Real> inverse_masses(const Scene& scene, const Order& order, const Frames* like_pins) {
   std::vector<bool> pinned(order.size(), false);
   for (const Pin& pin : scene.pins) pinned[pin.particle] = true;
+  if (like_pins != nullptr) {
+    for (const HeldParticle& held : like_pins->held()) pinned[order.user(held.particle)] = true;
+  }
   return BlockRows<Real>(order.size(), [&](std::size_t i) {
     const Index particle = order.user(i);
     return pinned[particle] ? Real(0) : Real(1.0 / scene.particles.mass[particle]);
@@ -54,28 +57,32 @@ std::size_t count_cables(const Scene& scene) {
 }
 
 template <class Real>
-Model<Real> model_in_chosen_order(const Scene& scene, Accumulation accumulation, Executor& executor) {
+Model<Real> model_in_chosen_order(const Scene& scene, Accumulation accumulation, Executor& executor,
+                                  bool holds_like_pins) {
   const std::size_t count = scene.particles.size();
   const Adjacency adjacency(scene.springs, count);
-  return {scene, adjacency, choose_order(scene.springs, adjacency, count), accumulation, executor};
+  return {scene,        adjacency, choose_order(scene.springs, adjacency, count),
+          accumulation, executor,  holds_like_pins};
 }
 
 }  // namespace
 
 template <class Real>
-Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& executor)
-    : Model(model_in_chosen_order<Real>(scene, accumulation, executor)) {}
+Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& executor, bool like_pins)
+    : Model(model_in_chosen_order<Real>(scene, accumulation, executor, like_pins)) {}
 
 template <class Real>
 Model<Real>::Model(const Scene& scene, const Adjacency& adjacency, Order chosen, Accumulation accumulation,
-                   Executor& executor)
+                   Executor& executor, bool like_pins)
     : order(std::move(chosen)),
+      frames(frames_of(scene, order)),
       springs(scene.springs.size()),
       linear_springs(springs - count_cables(scene)),
       spring_reach(hooke::spring_reach(scene.springs, order)),
-      inverse_mass(inverse_masses<Real>(scene, order)),
+      inverse_mass(inverse_masses<Real>(scene, order, like_pins ? frames.get() : nullptr)),
       spring_layout(lay_out_linear_springs<Real>(scene, adjacency, order, accumulation, executor)),
-      moving_pins(hooke::moving_pins(scene, order)) {}
+      moving_pins(hooke::moving_pins(scene, order)),
+      holds_like_pins(like_pins) {}
 
 template <class Real>
 const Slots<Real>* slots_of(const Model<Real>& model) {
@@ -99,6 +106,7 @@ State<Real> initial_state(const Scene& scene, const Model<Real>& model) {
     if (!model.pinned(e)) state.set_velocity(e, scene.particles.velocity_of(i).cast<Real>());
   }
   move_pins(std::span(model.moving_pins), state.time, state);
+  hold(model.held_between(0, model.particles()), state.time, state);
   return state;
 }
 

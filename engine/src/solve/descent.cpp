@@ -167,6 +167,7 @@ class Descent final : public StageSolver<Real> {
       move_lanes(lanes, from.z() + first, h, share, direction_.z() + first, next.z() + first,
                  next.vz() + first);
       move_pins(pins_between(model_.moving_pins, first, first + lanes), stage.time, next);
+      hold(model_.held_between(first, first + lanes), stage.time, next);
       pack_strip(next, first, lanes);
     });
   }

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "frames/held_forces.h"
 #include "methods/next_strip.h"
 
 namespace hooke {
@@ -16,9 +17,11 @@ template <class Real>
 SolvedSteps<Real>::SolvedSteps(const Method& method, const SolverContext<Real>& context)
     : kind_(kind_of(method)),
       model_(context.model),
+      forces_(context.forces),
       effects_(context.forces.effects()),
       executor_(context.executor),
       solver_(make_stage_solver(method, context)) {
+  pulls_.reserve(model_.held_between(0, model_.particles()).size());
   if (!uses_before()) return;
   from_.emplace(model_.particles(), packed_for(model_));
   from_->memory = effects_.initial_memory();
@@ -42,6 +45,19 @@ void SolvedSteps<Real>::guess(const ImplicitStage<Real>& stage, const State<Real
                              : Eigen::Matrix<Real, 3, 1>(stage.from.position(i) + Real(stage.h) * velocity));
   }
   move_pins<Real>(model_.moving_pins, stage.time, next);
+  hold(model_.held_between(0, next.size()), stage.time, next);
+}
+
+template <class Real>
+void SolvedSteps<Real>::release(const ImplicitStage<Real>& stage, double kick, State<Real>& next) {
+  const auto held = model_.held_between(0, next.size());
+  if (held.empty()) return;
+  find_held_forces(next, stage.time, model_, forces_, executor_, pulls_);
+  for (std::size_t n = 0; n < held.size(); ++n) {
+    const Index i = held[n].particle;
+    const Vec3 velocity = stage.from.velocity(i).template cast<double>() + kick / held[n].mass * pulls_[n];
+    next.set_velocity(i, velocity.template cast<Real>());
+  }
 }
 
 template <class Real>
@@ -49,7 +65,9 @@ StageResult SolvedSteps<Real>::take_end(double h, double time_after, const State
                                         State<Real>& next) {
   const ImplicitStage<Real> stage{now, h, time_after};
   guess(stage, now, next);
-  return solver_->solve(stage, next);
+  const StageResult result = solver_->solve(stage, next);
+  release(stage, h, next);
+  return result;
 }
 
 /// Half a step of backward Euler, and as much further along the same line.
@@ -59,6 +77,7 @@ StageResult SolvedSteps<Real>::take_middle(double h, double time, double time_af
   const ImplicitStage<Real> stage{now, 0.5 * h, 0.5 * (time + time_after)};
   guess(stage, now, next);
   const StageResult result = solver_->solve(stage, next);
+  release(stage, h, next);
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (model_.pinned(i)) continue;
     const Eigen::Matrix<Real, 3, 1> middle = next.velocity(i);
@@ -80,7 +99,16 @@ StageResult SolvedSteps<Real>::take_two_steps(double h, double time_after, const
   }
   const ImplicitStage<Real> stage{*from_, 2.0 / 3.0 * h, time_after};
   guess(stage, now, next);
-  return solver_->solve(stage, next);
+  const StageResult result = solver_->solve(stage, next);
+  release(stage, stage.h, next);
+  // The frame carries what is missing to 3/2 v(next) - 2 v(now) + 1/2 v(before), over a step.
+  for (const HeldParticle& held : model_.held_between(0, next.size())) {
+    const Vec3 way =
+        held.frame->at(time_after).at(held.local) - held.frame->at(time_after - h).at(held.local);
+    const Vec3 free = next.velocity(held.particle).template cast<double>();
+    next.set_velocity(held.particle, Vec3(1.5 * free - 0.5 / h * way).template cast<Real>());
+  }
+  return result;
 }
 
 template <class Real>
@@ -102,7 +130,7 @@ StageResult SolvedSteps<Real>::take(double h, double time, double time_after, St
 
 template <class Real>
 void SolvedSteps<Real>::correct(double h, double time_after, const State<Real>& now, State<Real>& next) {
-  const StepResult<Real> result{now, next, h, time_after};
+  const StepResult<Real> result{now, next, h, time_after, 0.0};
   if (effects_.corrects_strips()) effects_.correct_strips(result, 0, block_count(next.size()));
   if (effects_.corrects()) effects_.correct(result, executor_);
 }

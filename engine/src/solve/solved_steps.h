@@ -48,16 +48,22 @@ class SolvedSteps {
   /// Sets `next` to the guess of a stage: the velocities of now, and pins where they are at its time.
   void guess(const ImplicitStage<Real>& stage, const State<Real>& now, State<Real>& next) const;
 
+  /// Gives particles that attachments hold the velocities that forces, as they are after a stage, would give
+  /// them in a time of `kick` [s]: what a frame takes of these is what it carries.
+  void release(const ImplicitStage<Real>& stage, double kick, State<Real>& next);
+
   /// What effects do to the result of a step.
   void correct(double h, double time_after, const State<Real>& now, State<Real>& next);
 
   Kind kind_;
   const Model<Real>& model_;
+  Forces<Real>& forces_;
   EffectList<Real>& effects_;
   Executor& executor_;
   StageSolverPointer<Real> solver_;
   std::optional<State<Real>> from_;  ///< of two steps, where the stage begins
   bool knows_before_ = false;
+  std::vector<Vec3> pulls_;  ///< on particles that attachments hold [N]
 };
 
 }  // namespace hooke

@@ -41,7 +41,8 @@ template <class Real>
 VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjacency& adjacency,
                                  VertexColours colours)
     : executor_(context.executor),
-      model_(context.scene, adjacency, std::move(colours.order), Accumulation::gather, context.executor),
+      model_(context.scene, adjacency, std::move(colours.order), Accumulation::gather, context.executor,
+             context.model.holds_like_pins),
       forces_(context.scene, model_),
       coupled_(forces_, model_.particles()),
       from_(model_.particles()),
