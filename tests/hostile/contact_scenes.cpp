@@ -1,0 +1,170 @@
+#include "hostile/contact_scenes.h"
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "effects/solid_meshes.h"
+
+namespace hooke::test {
+namespace {
+
+class Chance {
+ public:
+  explicit Chance(std::uint32_t seed) : random_(seed) {}
+
+  double between(double low, double high) { return low + (high - low) * double(random_()) / 4294967296.0; }
+  double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+  Index below(Index count) { return Index(random_() % count); }
+  bool with(double probability) { return between(0.0, 1.0) < probability; }
+  Vec3 in_box(double half) {
+    const double x = between(-half, half), y = between(-half, half), z = between(-half, half);
+    return {x, y, z};
+  }
+  Vec3 direction() {
+    const Vec3 a = in_box(1.0);
+    return a.norm() > 0.01 ? Vec3(a.normalized()) : Vec3::UnitY();
+  }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// What is built is 1 m large; `size` [m] scales all of it.
+class Builder {
+ public:
+  explicit Builder(std::uint32_t seed) : chance_(seed), size_(chance_.magnitude(1e-3, 1e3)) {}
+
+  ContactRun run() {
+    const Index bodies = 1 + chance_.below(3);
+    for (Index i = 0; i < bodies; ++i) add_body();
+    run_.scene.effects.push_back(Gravity{chance_.between(0.0, 20.0) * chance_.direction()});
+    if (chance_.with(0.3)) run_.scene.effects.push_back(Drag{chance_.magnitude(1e-6, 1e-2)});
+    bool stay = true;
+    for (Index i = 1 + chance_.below(5); i > 0; --i) stay = add_collider() && stay;
+    choose_settings(stay);
+    return std::move(run_);
+  }
+
+ private:
+  /// Strong enough to hold its own weight, and damped.
+  void add_body() {
+    const std::size_t first = run_.scene.particles.size();
+    const double stiffness = chance_.magnitude(10.0, 1e4), damping = chance_.with(0.5) ? 0.01 : 0.0;
+    damped_ = damped_ && damping > 0.0;
+    const Placement placement{.translation = chance_.in_box(size_),
+                              .rotation_axis = chance_.direction(),
+                              .rotation_degrees = chance_.between(0.0, 360.0),
+                              .scale = size_};
+    switch (chance_.below(3)) {
+      case 0: {
+        const Index side = 3 + chance_.below(8);
+        add(run_.scene, ClothGrid{.columns = side,
+                                  .rows = side,
+                                  .spacing = 1.0 / side,
+                                  .stretch = stiffness,
+                                  .shear = 0.5 * stiffness,
+                                  .damping = damping,
+                                  .placement = placement});
+        break;
+      }
+      case 1:
+        add(run_.scene, Rope{.particles = 2 + chance_.below(30),
+                             .start = chance_.in_box(size_),
+                             .end = chance_.in_box(size_) + 3.0 * size_ * Vec3::UnitX(),
+                             .stretch = stiffness,
+                             .damping = damping});
+        break;
+      default: {
+        const Index side = 2 + chance_.below(3);
+        add(run_.scene, Block{.nx = side,
+                              .ny = side,
+                              .nz = side,
+                              .spacing = 0.5 / side,
+                              .stretch = stiffness,
+                              .shear = 0.5 * stiffness,
+                              .damping = damping,
+                              .placement = placement});
+      }
+    }
+    const Vec3 velocity =
+        (chance_.with(0.2) ? chance_.magnitude(10.0, 1e4) : 1.0) * size_ * chance_.in_box(1.0);
+    Particles& particles = run_.scene.particles;
+    particles.velocity.resize(particles.size(), Vec3::Zero());
+    for (std::size_t i = first; i < particles.size(); ++i) particles.velocity[i] = velocity;
+    if (chance_.with(0.3)) run_.scene.pin(Index(first));
+  }
+
+  ColliderShape shape() {
+    const Vec3 place = chance_.in_box(size_);
+    const double extent = size_ * chance_.magnitude(0.05, 3.0);
+    switch (chance_.below(6)) {
+      case 0:
+        return PlaneShape{chance_.direction(), chance_.between(-2.0, 0.5) * size_};
+      case 1:
+        return SphereShape{place, extent};
+      case 2:
+        return CapsuleShape{place, place + extent * chance_.direction(), 0.3 * extent};
+      case 3:
+        return BoxShape{place, extent * Vec3(1.0, chance_.magnitude(0.01, 1.0), 0.7)};
+      case 4: {
+        MeshShape mesh = chance_.with(0.5) ? bumpy_mesh(int(1 + chance_.below(3))) : angle_mesh();
+        for (Vec3& vertex : mesh.vertices) vertex += place / extent;
+        mesh.scale = extent;
+        return mesh;
+      }
+      default: {
+        HeightfieldShape field{.columns = 2 + chance_.below(8),
+                               .rows = 2 + chance_.below(8),
+                               .spacing = 0.3 * extent,
+                               .corner = place,
+                               .depth = chance_.magnitude(0.01, 1.0) * extent};
+        for (Index i = 0; i < field.columns * field.rows; ++i)
+          field.heights.push_back(chance_.between(0.0, 0.3) * extent);
+        return field;
+      }
+    }
+  }
+
+  /// Whether it stays where it is.
+  bool add_collider() {
+    Collider collider{.shape = shape(),
+                      .thickness = chance_.with(0.5) ? chance_.between(0.0, 0.05) * size_ : 0.0,
+                      .friction = chance_.with(0.7) ? chance_.between(0.0, 2.0) : 0.0,
+                      .restitution = chance_.with(0.3) ? chance_.between(0.0, 1.0) : 0.0};
+    const bool moves = chance_.with(0.3);
+    if (moves) {
+      collider.axis = chance_.direction();
+      collider.path = {
+          {0.0, Vec3::Zero(), 0.0},
+          {chance_.magnitude(0.01, 2.0), chance_.in_box(2.0 * size_), chance_.between(-720.0, 720.0)}};
+    }
+    run_.scene.effects.push_back(std::move(collider));
+    return !moves;
+  }
+
+  void choose_settings(bool colliders_stay) {
+    const std::vector<Method> methods{
+        SymplecticEuler{}, Verlet{}, BackwardEuler{}, Bdf2{}, Xpbd{}, BackwardEuler{}, ProjectiveDynamics{}};
+    run_.settings.method = methods[chance_.below(Index(methods.size()))];
+    run_.settings.step = chance_.magnitude(1.0 / 500.0, 1.0 / 30.0);
+    run_.settings.threads = 1;
+    run_.loses_energy =
+        colliders_stay && damped_ && std::holds_alternative<BackwardEuler>(run_.settings.method);
+  }
+
+  Chance chance_;
+  double size_;
+  bool damped_ = true;
+  ContactRun run_;
+};
+
+}  // namespace
+
+ContactRun contact_run(std::uint32_t seed) {
+  return Builder(seed).run();
+}
+
+}  // namespace hooke::test

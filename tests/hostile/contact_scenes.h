@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include <hooke/hooke.h>
+
+namespace hooke::test {
+
+/// A scene made of chance, and how it is run.
+struct ContactRun {
+  Scene scene;
+  Settings settings;
+  bool loses_energy = false;  ///< damped, by backward Euler, among colliders that stay
+};
+
+/// Cloths, ropes and blocks among colliders of every kind, huge or tiny, overlapping at the start, moving
+/// fast. The same for the same seed.
+ContactRun contact_run(std::uint32_t seed);
+
+}  // namespace hooke::test

@@ -1,0 +1,91 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "hostile/contact_scenes.h"
+#include "hostile/watchdog.h"
+#include "sanitized.h"
+
+/// Scenes of chance with contact: each must run, or say why it does not. Meant for the sanitizers, which see
+/// more.
+
+using namespace hooke;
+using namespace hooke::test;
+
+namespace {
+
+std::uint32_t scenes() {
+  const char* wanted = std::getenv("HOOKE_CONTACT_SCENES");
+  return wanted != nullptr ? std::uint32_t(std::strtoul(wanted, nullptr, 10)) : sanitized ? 100 : 1000;
+}
+
+template <class Real>
+bool all_finite(const Simulation<Real>& simulation) {
+  const StateView<Real> s = simulation.state();
+  for (const auto& values : {s.x, s.y, s.z, s.vx, s.vy, s.vz}) {
+    if (!std::all_of(values.begin(), values.end(), [](Real x) { return std::isfinite(x); })) return false;
+  }
+  return true;
+}
+
+/// The most by which energy rises above what it was after the first step, which puts what overlaps apart, as
+/// a share of the most that it was in any form.
+struct EnergyRise {
+  double first, most_kinetic;
+  double rise = 0.0;
+
+  explicit EnergyRise(const Energy& energy) : first(energy.total()), most_kinetic(energy.kinetic) {}
+  void look(const Energy& energy) {
+    most_kinetic = std::max(most_kinetic, energy.kinetic + energy.elastic);
+    rise = std::max(rise, energy.total() - first);
+  }
+};
+
+struct Outcomes {
+  int ran = 0, stopped = 0, watched = 0;
+  double largest_rise = 0.0;
+};
+
+template <class Real>
+void run(std::uint32_t seed, Outcomes& outcomes) {
+  CAPTURE(seed);
+  ContactRun made = contact_run(seed);
+  Simulation<Real> simulation(made.scene, made.settings);
+  // So long a step is divided into so many parts that a scene takes minutes; whole, it goes bad soon.
+  if (simulation.plan().substeps > 200) {
+    made.settings.unstable_step = UnstableStep::take;
+    simulation = Simulation<Real>(made.scene, made.settings);
+  }
+  Report report = simulation.step(1);
+  EnergyRise energy(simulation.energy());
+  for (int i = 1; i < 200 && report.ok(); ++i) {
+    report = simulation.step(1);
+    if (made.loses_energy) energy.look(simulation.energy());
+  }
+  CHECK(all_finite(simulation));
+  CHECK(report.ok() == report.message().empty());
+  (report.ok() ? outcomes.ran : outcomes.stopped) += 1;
+  if (!made.loses_energy || !report.ok()) return;
+  const double share = energy.rise / std::max(energy.most_kinetic, 1e-300);
+  CHECK(share < 0.01);
+  outcomes.largest_rise = std::max(outcomes.largest_rise, share);
+  ++outcomes.watched;
+}
+
+}  // namespace
+
+TEST_CASE("scenes of chance with contact run, or say why not; energy does not rise") {
+  Outcomes outcomes;
+  Watchdog watchdog(std::chrono::seconds(sanitized ? 300 : 60));
+  for (std::uint32_t seed = 0; seed < scenes(); ++seed) {
+    watchdog.begin("seed " + std::to_string(seed));
+    seed % 2 == 0 ? run<float>(seed, outcomes) : run<double>(seed, outcomes);
+  }
+  MESSAGE(outcomes.ran, " ran, ", outcomes.stopped, " were stopped, ", outcomes.watched,
+          " lose energy; largest rise ", outcomes.largest_rise);
+  CHECK(outcomes.ran > outcomes.stopped);
+}
