@@ -3,6 +3,7 @@
 
 #include "effects/effect_functions.h"
 #include "effects/named_springs.h"
+#include "effects/scripted_particles.h"
 #include "effects/strain_sweeps.h"
 #include "scene/number_text.h"
 
@@ -11,30 +12,6 @@ namespace {
 
 /// More than this in a step take too long to be meant.
 constexpr std::uint64_t most_sweeps = 1'000'000;
-
-/// A particle that a script moves from one time to another [s].
-struct ScriptedTime {
-  Index particle;
-  double from, to;
-};
-
-std::vector<ScriptedTime> scripted_times(const Scene& scene, const Order& order) {
-  std::vector<ScriptedTime> times;
-  for (const Effect& effect : scene.effects) {
-    const auto* const script = std::get_if<MotionScript>(&effect);
-    if (script == nullptr) continue;
-    for (const Index particle : script->particles)
-      times.push_back({order.engine(particle), script->path.front().time, script->path.back().time});
-  }
-  return times;
-}
-
-std::vector<double> inverse_masses(const Scene& scene, const Order& order) {
-  std::vector<double> inverse(order.size());
-  for (std::size_t i = 0; i < inverse.size(); ++i) inverse[order.engine(i)] = 1.0 / scene.particles.mass[i];
-  for (const Pin& pin : scene.pins) inverse[order.engine(pin.particle)] = 0.0;
-  return inverse;
-}
 
 /// Of a change of positions: how much kinetic energy is gained by changing velocities in proportion.
 struct EnergyGain {
@@ -110,8 +87,7 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
       particles_[i] = {result.next.position(i).template cast<double>(), inverse_mass_[i]};
     });
     for (const ScriptedTime& script : scripted_) {
-      if (script.from <= result.time && result.time <= script.to)
-        particles_[script.particle].inverse_mass = 0.0;
+      if (script.holds_at(result.time)) particles_[script.particle].inverse_mass = 0.0;
     }
   }
 
