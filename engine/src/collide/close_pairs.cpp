@@ -91,7 +91,7 @@ void ClosePairs::find_in_runs(std::size_t count, const Find& find, Executor& exe
 
 void ClosePairs::find_at_corner(Index corner, Found& found) const {
   const std::size_t first = found.size();
-  triangles_.for_each_meeting(box_around(std::array{corner}), [&](Index t) {
+  triangles_.for_each_meeting(box_around(std::array{corner}), 0, [&](Index t) {
     const auto [a, b, c] = surface_.triangles[t];
     add_if_near({corner, a, b, c}, PairKind::corner_triangle, found);
   });
@@ -102,8 +102,7 @@ void ClosePairs::find_at_corner(Index corner, Found& found) const {
 void ClosePairs::find_at_edge(std::size_t edge, Found& found) const {
   const std::size_t first = found.size();
   const auto [a, b] = surface_.edges[edge];
-  edges_.for_each_meeting(edge_boxes_[edge], [&, a = a, b = b](Index other) {
-    if (other <= edge) return;
+  edges_.for_each_meeting(edge_boxes_[edge], Index(edge) + 1, [&, a = a, b = b](Index other) {
     const auto [c, d] = surface_.edges[other];
     add_if_near({a, b, c, d}, PairKind::edge_edge, found);
   });

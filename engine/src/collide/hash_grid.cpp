@@ -54,14 +54,17 @@ void HashGrid::fill(std::size_t entries) {
   shift_ = unsigned(64 - bits);
   begin_.assign((std::size_t(1) << bits) + 1, 0);
   entries_.resize(entries);
-  const auto for_each_entry = [&](const auto& visit) {
-    for (std::size_t b = 0; b < boxes_->size(); ++b)
-      for_each_cell(cells_of((*boxes_)[b]), [&](const Cell& cell) { visit(Index(b), key_of(cell)); });
-  };
-  for_each_entry([&](Index, std::uint64_t key) { ++begin_[bucket_of(key)]; });
+  for (const AxisBox& box : *boxes_)
+    for_each_cell(cells_of(box), [&](const Cell& cell) { ++begin_[bucket_of(key_of(cell))]; });
   std::size_t sum = 0;
   for (std::size_t& end : begin_) end = sum += end;
-  for_each_entry([&](Index box, std::uint64_t key) { entries_[--begin_[bucket_of(key)]] = {key, box}; });
+  for (std::size_t b = 0; b < boxes_->size(); ++b) {
+    const Cells cells = cells_of((*boxes_)[b]);
+    for_each_cell(cells, [&](const Cell& cell) {
+      const std::uint64_t key = key_of(cell);
+      entries_[--begin_[bucket_of(key)]] = {key, cells.low, Index(b)};
+    });
+  }
 }
 
 }  // namespace hooke

@@ -36,18 +36,18 @@ class HashGrid {
   /// Of finite boxes.
   void build(const std::vector<AxisBox>& boxes);
 
-  /// Calls visit(number) once for each box that meets this one, in no particular order.
+  /// Calls visit(number) once for each box from number `first` on that meets this one, in no particular order.
   template <class Visit>
-  void for_each_meeting(const AxisBox& box, const Visit& visit) const {
+  void for_each_meeting(const AxisBox& box, Index first, const Visit& visit) const {
     const Cells cells = cells_of(box);
     for_each_cell(cells, [&](const Cell& cell) {
       const std::uint64_t key = key_of(cell);
       const std::size_t bucket = bucket_of(key);
       for (std::size_t e = begin_[bucket]; e < begin_[bucket + 1]; ++e) {
-        if (entries_[e].key != key) continue;
-        const AxisBox& other = (*boxes_)[entries_[e].box];
+        const Entry& entry = entries_[e];
         // Boxes share several cells: the lowest of these counts.
-        if (box.meets(other) && cell_of(box.low.cwiseMax(other.low)) == cell) visit(entries_[e].box);
+        if (entry.box < first || entry.key != key) continue;
+        if (is_lowest(cell, cells.low, entry.lowest) && box.meets((*boxes_)[entry.box])) visit(entry.box);
       }
     });
   }
@@ -57,32 +57,39 @@ class HashGrid {
   }
 
  private:
-  using Cell = std::array<std::int64_t, 3>;
+  using Cell = std::array<std::int32_t, 3>;
   struct Cells {
     Cell low, high;
   };
   struct Entry {
-    std::uint64_t key;
+    std::uint64_t key;  ///< of the cell
+    Cell lowest;        ///< of all of the box
     Index box;
   };
 
-  static constexpr std::int64_t most_cells = 1 << 20;  ///< along an axis
+  static constexpr std::int32_t most_cells = 1 << 20;  ///< along an axis
 
   Cell cell_of(const Vec3& point) const {
     Cell cell;
     for (std::size_t k = 0; k < 3; ++k) {
       const double place = (point[Eigen::Index(k)] - origin_[Eigen::Index(k)]) * per_cell_[Eigen::Index(k)];
-      cell[k] = std::int64_t(std::clamp(std::floor(place), 0.0, double(most_cells)));
+      cell[k] = std::int32_t(std::clamp(std::floor(place), 0.0, double(most_cells)));
     }
     return cell;
   }
   Cells cells_of(const AxisBox& box) const { return {cell_of(box.low), cell_of(box.high)}; }
 
+  /// Whether a common cell of two boxes is the lowest of these.
+  static bool is_lowest(const Cell& cell, const Cell& a, const Cell& b) {
+    return cell[0] == std::max(a[0], b[0]) && cell[1] == std::max(a[1], b[1]) &&
+           cell[2] == std::max(a[2], b[2]);
+  }
+
   template <class Visit>
   static void for_each_cell(const Cells& cells, const Visit& visit) {
-    for (std::int64_t x = cells.low[0]; x <= cells.high[0]; ++x) {
-      for (std::int64_t y = cells.low[1]; y <= cells.high[1]; ++y) {
-        for (std::int64_t z = cells.low[2]; z <= cells.high[2]; ++z) visit(Cell{x, y, z});
+    for (std::int32_t x = cells.low[0]; x <= cells.high[0]; ++x) {
+      for (std::int32_t y = cells.low[1]; y <= cells.high[1]; ++y) {
+        for (std::int32_t z = cells.low[2]; z <= cells.high[2]; ++z) visit(Cell{x, y, z});
       }
     }
   }

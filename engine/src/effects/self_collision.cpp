@@ -51,6 +51,9 @@ Surface surface_of(const SelfCollision& collision, const Scene& scene, const Ord
   return Surface(std::move(triangles));
 }
 
+/// What is so many margins away counts as far, and may move so much before pairs are found anew.
+constexpr double far_margins = 16.0;
+
 template <class Real>
 class SelfCollisionCorrection final : public CompiledEffect<Real> {
  public:
@@ -106,20 +109,20 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// Whether a pair may touch in this step. Pairs are found anew where particles have moved too far since.
   bool is_anything_near(const StepResult<Real>& result, Executor& executor) {
-    measure_motion(result, executor);
-    if (!(moved_ <= margin_)) find_pairs(result, executor);
+    update_pairs(result, executor);
     return nearest_ - moved_ <= NarrowPhase::active_distance(collision_.thickness);
+  }
+
+  void update_pairs(const StepResult<Real>& result, Executor& executor) {
+    if (pairs_hold_) measure_motion(result, executor);
+    if (!pairs_hold_ || !(moved_ <= margin_)) find_pairs(result, executor);
   }
 
   /// How far particles have moved against each other at the ends of this step, since pairs were found.
   void measure_motion(const StepResult<Real>& result, Executor& executor) {
     constexpr double rounding = 1.0 + 1e-6;
-    if (!pairs_hold_) {
-      moved_ = std::numeric_limits<double>::infinity();
-      return;
-    }
-    moved_ = rounding * bound_.since(result.next, executor);
-    if (collision_.swept) moved_ = std::max(moved_, rounding * bound_.since(result.start, executor));
+    const State<Real>& start = collision_.swept ? result.start : result.next;
+    moved_ = rounding * bound_.since(start, result.next, margin_ / rounding, executor);
   }
 
   void find_pairs(const StepResult<Real>& result, Executor& executor) {
@@ -127,15 +130,26 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     nearest_ = std::numeric_limits<double>::infinity();
     pairs_ = nullptr;
     pairs_hold_ = false;
-    if (!std::isfinite(bound_.between(result.start, result.next, executor))) return;  // not to be taken
-    bound_.look(result.next);
-    moved_ = collision_.swept ? bound_.since(result.start, executor) : 0.0;
-    const double reach = NarrowPhase::active_distance(collision_.thickness) + margin_;
+    const double motion = bound_.between(result.start, result.next, executor);
+    if (!std::isfinite(motion)) return;  // such a step is not taken
+    const double active = NarrowPhase::active_distance(collision_.thickness), reach = active + margin_;
+    const double longest = longest_edge();
+    const double far = 2.0 * longest + reach + far_margins * margin_;
+    bound_.look(result.next, far, far - 2.0 * longest - active);
+    measure_motion(result, executor);
     // What is fast is looked at along its way in this step alone.
-    const bool is_fast = moved_ > 0.5 * margin_;
+    const bool is_fast = !(moved_ <= 0.5 * margin_);
+    moved_ = std::min(moved_, motion);
     pairs_ = &close_pairs_.find(is_fast ? start_ : end_, end_, reach, executor);
     pairs_hold_ = !is_fast;
     for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
+  }
+
+  /// At the end of the step [m].
+  double longest_edge() const {
+    double square = 0.0;
+    for (const auto& [a, b] : surface_.edges) square = std::max(square, (end_[a] - end_[b]).squaredNorm());
+    return std::sqrt(square);
   }
 
   template <class Visit>
@@ -169,8 +183,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// What has been moved, as a step whose pairs are looked at again.
   void begin_round(const StepResult<Real>& result, Executor& executor) {
     store(result, executor);
-    measure_motion(result, executor);
-    if (!(moved_ <= margin_)) find_pairs(result, executor);
+    update_pairs(result, executor);
   }
 
   NarrowPhase::Step step_of(const StepResult<Real>& result, Executor& executor) const {
