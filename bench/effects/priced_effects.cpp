@@ -91,6 +91,7 @@ std::vector<PricedEffect> priced_effects(Index columns) {
       {"collider (it lies on it)", sheet,
        Collider{.shape = PlaneShape{{0.0, 0.0, 1.0}}, .thickness = 1e-5, .friction = 0.3}, particle,
        particles},
+      {"self_collision (nothing near)", sheet, SelfCollision{.thickness = 1e-5}, particle, particles},
       {"motion_script", sheet, MotionScript{some, {{0.0, {0, 0, 0}}, {1e3, {0.01, 0, 0}}}}, particle,
        of_some},
   };

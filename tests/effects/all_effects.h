@@ -59,6 +59,7 @@ inline std::vector<NamedEffect> one_of_each_effect() {
       {"motion_script", MotionScript{{7}, {{0.0, Vec3::Zero()}, {1.0, {0.1, 0.0, 0.0}}}}, MotionScript{}},
       {"collider", Collider{.shape = SphereShape{{0.0, 0.0, 0.0}, 0.51}, .friction = 0.2},
        Collider{.shape = PlaneShape{{0.0, 1.0, 0.0}, -1e6}}},
+      {"self_collision", SelfCollision{.thickness = 0.6, .friction = 0.2}, SelfCollision{.thickness = 1e-9}},
   };
 }
 

@@ -18,9 +18,12 @@ inline double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   return (b - a).cross(c - a).dot(d - a);
 }
 
-/// Whether the segment p q passes through the inside of the triangle a b c.
+/// Whether the segment p q passes through the inside of the triangle a b c. What lies in its plane, but for
+/// rounding, does not.
 inline bool crosses(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
-  if (!((volume(a, b, c, p) > 0.0) != (volume(a, b, c, q) > 0.0))) return false;
+  const double above = volume(a, b, c, p), below = volume(a, b, c, q);
+  const double rounding = 1e-14 * std::pow((b - a).norm() + (c - a).norm() + (p - a).norm(), 3);
+  if (!(above * below < 0.0) || std::min(std::abs(above), std::abs(below)) < rounding) return false;
   const bool ab = volume(p, q, a, b) > 0.0, bc = volume(p, q, b, c) > 0.0, ca = volume(p, q, c, a) > 0.0;
   return ab == bc && bc == ca;
 }

@@ -28,6 +28,7 @@ constexpr std::array units{
     FieldUnit{TensileTriangles::name, "damping", "s"},
     FieldUnit{Plasticity::name, "rate", "1/s"},
     FieldUnit{Collider::name, "thickness", "m"},
+    FieldUnit{SelfCollision::name, "thickness", "m"},
     FieldUnit{DormandPrince::name, "position_tolerance", "m"},
     FieldUnit{DormandPrince::name, "velocity_tolerance", "m/s"},
     FieldUnit{DormandPrince::name, "smallest_step", "s"},

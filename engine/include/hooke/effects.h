@@ -373,8 +373,8 @@ struct Collider {
 /// does not creep). Momentum is kept and kinetic energy never gained. Takes no shorter steps. Colliders that
 /// cloth lies on carry the layers above it.
 ///
-/// Pairs that share a particle are left out. Pairs that are nearer than the thickness at the start are kept as
-/// far apart as they are then: triangles may be smaller than the thickness. See docs/contact.md.
+/// Pairs that share a particle are left out. Pairs that are nearer than the thickness at the start are kept
+/// as far apart as they are then: triangles may be smaller than the thickness. See docs/contact.md.
 struct SelfCollision {
   double thickness = 1e-3;  ///< [m], > 0
   double friction = 0.0;    ///< mu [1], >= 0
@@ -420,9 +420,9 @@ struct CustomEffect {
   static void fields(Self&, Visit&&) {}
 };
 
-using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
-                            LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity,
-                            Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript, Collider,
-                            SelfCollision>;
+using Effect =
+    std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
+                 LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity, Pressure, Volume,
+                 CustomEffect, StrainLimit, Tethers, MotionScript, Collider, SelfCollision>;
 
 }  // namespace hooke

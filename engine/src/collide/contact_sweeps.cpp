@@ -104,8 +104,8 @@ double ContactSweeps::sweep(std::vector<Vec3>& values, Executor& executor) {
       for (std::size_t c = first + begin; c < first + end; ++c) asked.add({push(c, values)});
       return asked;
     };
-    const Largest asked = sum_in_order<Largest>(executor, colour_begin_[colour + 1] - first, contacts_in_run,
-                                                part, largest_);
+    const Largest asked =
+        sum_in_order<Largest>(executor, colour_begin_[colour + 1] - first, contacts_in_run, part, largest_);
     largest = std::max(largest, asked.value);
   }
   return largest;

@@ -12,8 +12,8 @@
 namespace hooke {
 
 /// A contact of up to four particles. With r = sum of weights times what particles have (places, or
-/// velocities): normal . r may not get below `least`, and r across the normal is held where it is in `held` as
-/// far as friction can.
+/// velocities): normal . r may not get below `least`, and r across the normal is held where it is in `held`
+/// as far as friction can.
 struct SurfaceContact {
   std::array<Index, 4> particles;
   std::array<double, 4> weights;

@@ -36,7 +36,8 @@ class HashGrid {
   /// Of finite boxes.
   void build(const std::vector<AxisBox>& boxes);
 
-  /// Calls visit(number) once for each box from number `first` on that meets this one, in no particular order.
+  /// Calls visit(number) once for each box from number `first` on that meets this one, in no particular
+  /// order.
   template <class Visit>
   void for_each_meeting(const AxisBox& box, Index first, const Visit& visit) const {
     const Cells cells = cells_of(box);
@@ -107,8 +108,8 @@ class HashGrid {
 
   const std::vector<AxisBox>* boxes_ = nullptr;
   Vec3 origin_ = Vec3::Zero(), per_cell_ = Vec3::Ones();
-  unsigned shift_ = 63;              ///< 64 - log2 of the number of buckets
-  std::vector<std::size_t> begin_;   ///< of each bucket, in `entries_`; one more than there are buckets
+  unsigned shift_ = 63;             ///< 64 - log2 of the number of buckets
+  std::vector<std::size_t> begin_;  ///< of each bucket, in `entries_`; one more than there are buckets
   std::vector<Entry> entries_;
 };
 

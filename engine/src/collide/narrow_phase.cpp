@@ -14,6 +14,10 @@ constexpr std::size_t pairs_in_run = 1024;
 /// it at once would strain stiff springs, step after step.
 constexpr double recovery = 0.2;
 
+/// What is further apart than its thickness by less than this share of it lies on one another: where only the
+/// last bit of its way were contact, friction could not hold it.
+constexpr double skin = 0.01;
+
 bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inverse_mass) {
   for (std::size_t k = 0; k < 4; ++k) {
     if (contact.weights[k] != 0.0 && inverse_mass[contact.particles[k]] > 0.0) return true;
@@ -23,17 +27,16 @@ bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inve
 
 /// When a pair first comes as near as a share of its thickness, or of its distance at the start where that is
 /// less; 1 where it does not, or crosses at the start already.
-double time_of_touch(const ClosePair& pair, const PairPlaces& start, const PairPlaces& end, double end_distance,
-                     double share) {
+double time_of_touch(const ClosePair& pair, const PairPlaces& start, const PairPlaces& end,
+                     double end_distance, double share) {
   const double bound = approach_bound(pair.kind, start, end);
   if (end_distance > bound) return 1.0;
-  const double stop =
-      share * std::min(pair.thickness, closest_points(pair.kind, start).distance());
+  const double stop = share * std::min(pair.thickness, closest_points(pair.kind, start).distance());
   return stop > 0.0 ? first_time_near(pair.kind, start, end, stop, bound) : 1.0;
 }
 
-/// Whether the nearest points of two edges lie within both. Where one is an end, the pair of that corner and a
-/// triangle at the other edge says the same.
+/// Whether the nearest points of two edges lie within both. Where one is an end, the pair of that corner and
+/// a triangle at the other edge says the same.
 bool is_within_both(const ClosestPoints& points) {
   for (const double weight : points.weights) {
     if (weight == 0.0) return false;
@@ -92,6 +95,13 @@ std::span<const NarrowPhase::Run> NarrowPhase::look_at(const std::vector<ClosePa
   return {runs_.data(), count};
 }
 
+double NarrowPhase::least_distance(const ClosePair& pair, double before) const {
+  if (before <= 0.0) return pair.thickness;
+  if (before < pair.thickness) return before + recovery * (pair.thickness - before);
+  const bool lies_on_it = pair.thickness == thickness_ && before < (1.0 + skin) * pair.thickness;
+  return lies_on_it ? before : pair.thickness;
+}
+
 std::vector<SurfaceContact>& NarrowPhase::contacts_of(const std::vector<ClosePair>& pairs, const Step& step,
                                                       Executor& executor) {
   contacts_.clear();
@@ -128,9 +138,7 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
     return;
   }
   contact.held = contact.sum(step.start);
-  const double before = contact.normal.dot(contact.held);
-  if (time == 1.0 && before > 0.0 && before < contact.least)
-    contact.least = before + recovery * (contact.least - before);
+  if (time == 1.0) contact.least = least_distance(pair, contact.normal.dot(contact.held));
   run.contacts.push_back(contact);
   run.passed = run.passed || time < 1.0;
 }

@@ -57,6 +57,9 @@ class NarrowPhase {
   bool is_far(const ClosePair& pair, const Step& step) const {
     return pair.distance - step.moved > reach_of(pair);
   }
+  /// What a pair is kept apart by that was `before` apart at the start, in the direction of its contact [m].
+  double least_distance(const ClosePair& pair, double before) const;
+
   template <class Look>
   std::span<const Run> look_at(const std::vector<ClosePair>& pairs, const Look& look, Executor& executor);
   void look(const ClosePair& pair, const Step& step, Run& run) const;

@@ -10,9 +10,9 @@ namespace hooke {
 
 /// A collider as seen from a place.
 struct ObstacleSurface {
-  double gap;      ///< to its surface and thickness [m]
-  Vec3 outwards;   ///< unit vector
-  Vec3 velocity;   ///< of the surface [m/s]
+  double gap;     ///< to its surface and thickness [m]
+  Vec3 outwards;  ///< unit vector
+  Vec3 velocity;  ///< of the surface [m/s]
   double friction;
 };
 

@@ -29,8 +29,8 @@ constexpr int most_zone_rounds = 50;
 /// than this share of the highest speed at first.
 constexpr double tolerance = 0.01;
 
-/// Pairs are looked for that are so much further apart than contacts are [m]: the more, the longer they do for,
-/// and the more they are. Less than the distance of neighbours that share no particle.
+/// Pairs are looked for that are so much further apart than contacts are [m]: the more, the longer they do
+/// for, and the more they are. Less than the distance of neighbours that share no particle.
 double margin_of(double thickness, const Surface& surface, const Places& places) {
   double sum = 0.0;
   for (const auto& [a, b] : surface.edges) sum += (places[a] - places[b]).norm();
@@ -154,10 +154,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   template <class Visit>
   void for_each_corner(Executor& executor, const Visit& visit) {
-    executor.parallel_for(surface_.corners.size(), particles_in_run,
-                          [&](std::size_t begin, std::size_t end) {
-                            for (std::size_t c = begin; c < end; ++c) visit(surface_.corners[c]);
-                          });
+    executor.parallel_for(surface_.corners.size(), particles_in_run, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) visit(surface_.corners[c]);
+    });
   }
 
   void load(const StepResult<Real>& result, Executor& executor) {
@@ -265,8 +264,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   void settle(double h, Executor& executor) {
     if (touching_.empty()) return;
     sweeps_.set(touching_);
-    const std::uint64_t sweeps =
-        sweeps_.run(velocity_, tolerance, 1e-3 * tolerance * collision_.thickness / h, collision_.sweeps, executor);
+    const std::uint64_t sweeps = sweeps_.run(
+        velocity_, tolerance, 1e-3 * tolerance * collision_.thickness / h, collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
     if (left_ == 0) return;
     met_with_.flags |= flag_contacts_left;
