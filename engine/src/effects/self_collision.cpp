@@ -25,9 +25,12 @@ constexpr int most_rounds = 4;
 /// How often zones may grow in a step.
 constexpr int most_zone_rounds = 50;
 
-/// Sweeps end where no pair is nearer than its thickness by more than this share of it, or approaches faster
-/// than this share of the highest speed at first.
-constexpr double tolerance = 0.01;
+/// Sweeps end where no pair is nearer than its thickness by more than this share of it.
+constexpr double depth_tolerance = 0.01;
+
+/// Sweeps over velocities end where nothing approaches faster than this share of the highest speed at first,
+/// or than this share of the thickness in a step.
+constexpr double speed_tolerance = 0.03, speed_tolerance_of_thickness = 1e-5;
 
 /// Pairs are looked for that are so much further apart than contacts are [m]: the more, the longer they do
 /// for, and the more they are. Less than the distance of neighbours that share no particle.
@@ -107,6 +110,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
  private:
   static constexpr std::size_t particles_in_run = 4096;
 
+  /// No less than what rounding takes from a bound on motion.
+  static constexpr double rounding = 1.0 + 1e-6;
+
   /// Whether a pair may touch in this step. Pairs are found anew where particles have moved too far since.
   bool is_anything_near(const StepResult<Real>& result, Executor& executor) {
     update_pairs(result, executor);
@@ -120,7 +126,6 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// How far particles have moved against each other at the ends of this step, since pairs were found.
   void measure_motion(const StepResult<Real>& result, Executor& executor) {
-    constexpr double rounding = 1.0 + 1e-6;
     const State<Real>& start = collision_.swept ? result.start : result.next;
     moved_ = rounding * bound_.since(start, result.next, margin_ / rounding, executor);
   }
@@ -128,10 +133,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   void find_pairs(const StepResult<Real>& result, Executor& executor) {
     load(result, executor);
     nearest_ = std::numeric_limits<double>::infinity();
-    pairs_ = nullptr;
+    pairs_ = &no_pairs_;
     pairs_hold_ = false;
+    if (!is_finite()) return;  // such a step is not taken
     const double motion = bound_.between(result.start, result.next, executor);
-    if (!std::isfinite(motion)) return;  // such a step is not taken
     const double active = NarrowPhase::active_distance(collision_.thickness), reach = active + margin_;
     const double longest = longest_edge();
     const double far = 2.0 * longest + reach + far_margins * margin_;
@@ -139,10 +144,15 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     measure_motion(result, executor);
     // What is fast is looked at along its way in this step alone.
     const bool is_fast = !(moved_ <= 0.5 * margin_);
-    moved_ = std::min(moved_, motion);
+    moved_ = std::min(moved_, rounding * motion);
     pairs_ = &close_pairs_.find(is_fast ? start_ : end_, end_, reach, executor);
     pairs_hold_ = !is_fast;
     for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
+  }
+
+  bool is_finite() const {
+    return std::all_of(surface_.corners.begin(), surface_.corners.end(),
+                       [&](Index i) { return start_[i].allFinite() && end_[i].allFinite(); });
   }
 
   /// At the end of the step [m].
@@ -216,7 +226,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
     const std::uint64_t sweeps =
-        sweeps_.run(end_, 0.0, tolerance * collision_.thickness, collision_.sweeps, executor);
+        sweeps_.run(end_, 0.0, depth_tolerance * collision_.thickness, collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
     left_ = 0;
     for (std::size_t c = 0; c < pairs; ++c) {
@@ -264,8 +274,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   void settle(double h, Executor& executor) {
     if (touching_.empty()) return;
     sweeps_.set(touching_);
-    const std::uint64_t sweeps = sweeps_.run(
-        velocity_, tolerance, 1e-3 * tolerance * collision_.thickness / h, collision_.sweeps, executor);
+    const std::uint64_t sweeps =
+        sweeps_.run(velocity_, speed_tolerance, speed_tolerance_of_thickness * collision_.thickness / h,
+                    collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
     if (left_ == 0) return;
     met_with_.flags |= flag_contacts_left;
@@ -307,7 +318,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   std::vector<Vec3> obstacle_velocity_;  ///< of the last contacts, which are those with obstacles [m/s]
   Places before_;
   std::size_t left_ = 0;
-  const std::vector<ClosePair>* pairs_ = nullptr;
+  const std::vector<ClosePair> no_pairs_;
+  const std::vector<ClosePair>* pairs_ = &no_pairs_;
   bool pairs_hold_ = false, pushed_far_ = false;
   double moved_ = 0.0, nearest_ = 0.0;
   Report met_with_;  ///< since it was told last
