@@ -112,9 +112,10 @@ void ClosePairs::find_at_edge(std::size_t edge, Found& found) const {
 
 void ClosePairs::add_if_near(const std::array<Index, 4>& particles, PairKind kind, Found& found) const {
   if (share_a_particle(particles, kind)) return;
-  const PairPlaces end = places_of(particles, *end_), start = places_of(particles, *start_);
+  const PairPlaces end = places_of(particles, *end_);
   const double distance = closest_points(kind, end).distance();
-  if (!(distance - approach_bound(kind, start, end) <= reach_)) return;
+  const double approach = start_ == end_ ? 0.0 : approach_bound(kind, places_of(particles, *start_), end);
+  if (!(distance - approach <= reach_)) return;
   const double at_rest = closest_points(kind, places_of(particles, rest_)).distance();
   unsigned joined = 0;
   for (unsigned k = 1; k < 4 && kind == PairKind::corner_triangle; ++k)

@@ -47,7 +47,8 @@ class HashGrid {
       for (std::size_t e = begin_[bucket]; e < begin_[bucket + 1]; ++e) {
         const Entry& entry = entries_[e];
         // Boxes share several cells: the lowest of these counts.
-        if (entry.box < first || entry.key != key) continue;
+        if (entry.box < first) break;  // a bucket has the highest numbers first
+        if (entry.key != key) continue;
         if (is_lowest(cell, cells.low, entry.lowest) && box.meets((*boxes_)[entry.box])) visit(entry.box);
       }
     });
