@@ -26,6 +26,7 @@ Json flags(std::uint32_t bits) {
   if (bits & flag_step_halved) names.push_back("step_halved");
   if (bits & flag_oscillations_grow) names.push_back("oscillations_grow");
   if (bits & flag_limit_not_met) names.push_back("limit_not_met");
+  if (bits & flag_contacts_left) names.push_back("contacts_left");
   return names;
 }
 

@@ -66,6 +66,11 @@ std::string Report::message() const {
     out << "by step " << step << " (time " << time << " s) " << springs_over_limit
         << " springs were longer than the strain limit allows after all its sweeps, with strains of up to "
         << largest_strain << "; allow more sweeps or a larger limit, or bring pins closer together";
+  } else if (flags & flag_contacts_left) {
+    out << "by step " << step << " (time " << time << " s) self_collision left " << contacts_left
+        << " pairs nearer than half their thickness or passing through one another; use a shorter step, a "
+           "larger "
+           "thickness or more sweeps";
   } else if (flags & flag_steps_dropped) {
     out << "the frame asked for more steps than the cap; " << dropped_seconds
         << " s were dropped; raise max_steps_per_advance or use a larger step";

@@ -98,6 +98,8 @@ TEST_CASE("a report of a run that went bad says where") {
       flag_energy_grew | flag_restored | flag_step_halved | flag_oscillations_grow | flag_limit_not_met;
   CHECK(json::parse(json_report(result)).at("flags") ==
         json::array({"energy_grew", "restored", "step_halved", "oscillations_grow", "limit_not_met"}));
+  result.flags = flag_contacts_left;
+  CHECK(json::parse(json_report(result)).at("flags") == json::array({"contacts_left"}));
   CHECK(report.at("first_bad_particle") == 0);
   CHECK(report.at("bad_step") == 17);
   CHECK(report.at("message") == "step 17 went bad");

@@ -30,6 +30,7 @@ constexpr std::array units{
     FieldUnit{Collider::name, "thickness", "m"},
     FieldUnit{FrameAttachment::name, "origin", "m"},
     FieldUnit{Stitch::name, "closing_time", "s"},
+    FieldUnit{SelfCollision::name, "thickness", "m"},
     FieldUnit{DormandPrince::name, "position_tolerance", "m"},
     FieldUnit{DormandPrince::name, "velocity_tolerance", "m/s"},
     FieldUnit{DormandPrince::name, "smallest_step", "s"},

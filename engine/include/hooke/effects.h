@@ -407,6 +407,35 @@ struct Stitch {
   }
 };
 
+/// Cloth that does not pass through cloth: corners and triangles, and edges and edges, of the scene's surface
+/// are kept apart by `thickness`, measured between the surfaces in the middle of the cloth. What a step would
+/// bring nearer is moved apart, the lighter more, pinned particles not at all; what approaches there loses
+/// that speed, and what slides loses at most `friction` times it (Coulomb's law for the step: what may stick
+/// does not creep). Momentum is kept and kinetic energy never gained. Takes no shorter steps. Colliders that
+/// cloth lies on carry the layers above it.
+///
+/// Pairs that share a particle are left out. Pairs that are nearer than the thickness at the start are kept
+/// as far apart as they are then: triangles may be smaller than the thickness. See docs/contact.md.
+struct SelfCollision {
+  double thickness = 1e-3;  ///< [m], > 0
+  double friction = 0.0;    ///< mu [1], >= 0
+  /// Follows particles on straight lines through the step, so that nothing fast passes between its ends. What
+  /// sweeps do not keep from passing is moved as one piece then, with its mean velocity (impact zones).
+  bool swept = true;
+  std::uint64_t sweeps = 60;          ///< over the contacts of a step, at most, >= 1
+  std::vector<Index> triangles = {};  ///< of the scene; none: all of these
+
+  static constexpr std::string_view name = "self_collision";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("thickness", self.thickness);
+    visit("friction", self.friction);
+    visit("swept", self.swept);
+    visit("sweeps", self.sweeps);
+    visit("triangles", self.triangles);
+  }
+};
+
 /// What a user's own effect sees: some particles, all spans of one length. Forces are to be added to.
 struct ParticleBatch {
   double time;                                  ///< [s]
@@ -432,9 +461,9 @@ struct CustomEffect {
   static void fields(Self&, Visit&&) {}
 };
 
-using Effect =
-    std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
-                 LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity, Pressure, Volume,
-                 CustomEffect, StrainLimit, Tethers, MotionScript, Collider, FrameAttachment, Stitch>;
+using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
+                            LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity,
+                            Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript, Collider,
+                            FrameAttachment, Stitch, SelfCollision>;
 
 }  // namespace hooke

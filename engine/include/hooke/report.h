@@ -23,6 +23,7 @@ enum Flag : std::uint32_t {
   flag_step_halved = 64,    ///< steps are taken in twice as many parts from the last good state on
   flag_oscillations_grow = 128,  ///< the method lets undamped oscillations grow at any step; not seen to yet
   flag_limit_not_met = 256,      ///< springs were longer than their strain limit allows after its last sweep
+  flag_contacts_left = 512,      ///< cloth came too near to cloth, or through it, in spite of self_collision
 };
 
 /// Time that a sweep of the plan took, summed over the steps of one call.
@@ -58,8 +59,13 @@ struct Report {
   std::uint64_t limit_sweeps = 0;        ///< the most that a strain limit needed in a step
   std::uint64_t springs_over_limit = 0;  ///< where a strain limit was not met, in the last such step
   double largest_strain = 0.0;           ///< of them [1]
-  std::uint64_t steps_undone = 0;        ///< steps before this call that were taken back with the good state
-  std::span<const SweepTime> sweeps;     ///< time of each sweep; valid until the next call on the simulation
+  std::uint64_t contact_sweeps = 0;      ///< the most that self-collision needed in a step
+  /// Where self-collision did not suffice, in the last such step: pairs nearer than half their thickness, or
+  /// that pass through one another.
+  std::uint64_t contacts_left = 0;
+  std::uint64_t impact_zone_particles = 0;  ///< the most that self-collision moved as one piece in a step
+  std::uint64_t steps_undone = 0;     ///< steps before this call that were taken back with the good state
+  std::span<const SweepTime> sweeps;  ///< time of each sweep; valid until the next call on the simulation
 
   bool ok() const { return (flags & (flag_not_finite | flag_step_too_small | flag_restored)) == 0; }
 

@@ -53,6 +53,8 @@ template <class Real>
 EffectPointer<Real> compile_effect(const FrameAttachment&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const Stitch&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const SelfCollision&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -77,6 +79,7 @@ void check_effect(const MotionScript&, const Scene&, const ElementChecks&);
 void check_effect(const Collider&, const Scene&, const ElementChecks&);
 void check_effect(const FrameAttachment&, const Scene&, const ElementChecks&);
 void check_effect(const Stitch&, const Scene&, const ElementChecks&);
+void check_effect(const SelfCollision&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -101,6 +104,7 @@ void add_bounds(const MotionScript&, const Scene&, HeldParticles&);
 void add_bounds(const Collider&, const Scene&, HeldParticles&);
 void add_bounds(const FrameAttachment&, const Scene&, HeldParticles&);
 void add_bounds(const Stitch&, const Scene&, HeldParticles&);
+void add_bounds(const SelfCollision&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
@@ -152,5 +156,7 @@ template <>
 inline constexpr bool corrects_results<FrameAttachment> = true;
 template <>
 inline constexpr bool corrects_results<Stitch> = true;
+template <>
+inline constexpr bool corrects_results<SelfCollision> = true;
 
 }  // namespace hooke

@@ -14,6 +14,8 @@ namespace hooke {
 struct ScriptedTime {
   Index particle;  ///< in the engine's order
   double from, to;
+
+  bool holds_at(double time) const { return from <= time && time <= to; }
 };
 
 std::vector<ScriptedTime> scripted_times(const Scene& scene, const Order& order);

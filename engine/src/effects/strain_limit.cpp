@@ -96,8 +96,7 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
       particles_[i] = {result.next.position(i).template cast<double>(), inverse_mass_[i]};
     });
     for (const ScriptedTime& script : scripted_) {
-      if (script.from <= result.time && result.time <= script.to)
-        particles_[script.particle].inverse_mass = 0.0;
+      if (script.holds_at(result.time)) particles_[script.particle].inverse_mass = 0.0;
     }
   }
 

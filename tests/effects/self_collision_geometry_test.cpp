@@ -1,0 +1,230 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "collide/close_pairs.h"
+#include "collide/closest_points.h"
+#include "collide/contact_sweeps.h"
+#include "collide/hash_grid.h"
+#include "collide/impact_zones.h"
+#include "collide/swept_test.h"
+
+using namespace hooke;
+
+namespace {
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : random_(seed) {}
+  double unit() { return double(random_()) / 4294967296.0; }
+  Vec3 vector() {
+    const double x = unit(), y = unit(), z = unit();
+    return {2.0 * x - 1.0, 2.0 * y - 1.0, 2.0 * z - 1.0};
+  }
+  PairPlaces places() { return {vector(), vector(), vector(), vector()}; }
+
+ private:
+  std::mt19937 random_;
+};
+
+/// The distance of two pieces by looking at a fine grid of points on both.
+double sampled_distance(PairKind kind, const PairPlaces& x) {
+  constexpr int n = 120;
+  double nearest = INFINITY;
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j <= n; ++j) {
+      const double u = double(i) / n, v = double(j) / n;
+      if (kind == PairKind::edge_edge)
+        nearest = std::min(nearest, (x[0] + u * (x[1] - x[0]) - x[2] - v * (x[3] - x[2])).norm());
+      else if (i + j <= n)
+        nearest = std::min(nearest, (x[0] - x[1] - u * (x[2] - x[1]) - v * (x[3] - x[1])).norm());
+    }
+  }
+  return nearest;
+}
+
+using FourParticles = std::array<Index, 4>;
+using Pair = std::pair<PairKind, FourParticles>;
+
+/// All pairs without a common particle that are within reach of each other.
+std::set<Pair> pairs_by_looking_at_all(const Surface& surface, const Places& x, double reach) {
+  std::set<Pair> pairs;
+  const auto add = [&](PairKind kind, const FourParticles& p) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        if (p[a] == p[b]) return;
+      }
+    }
+    if (closest_points(kind, {x[p[0]], x[p[1]], x[p[2]], x[p[3]]}).distance() <= reach)
+      pairs.emplace(kind, p);
+  };
+  for (const Index corner : surface.corners) {
+    for (const auto& [a, b, c] : surface.triangles) add(PairKind::corner_triangle, {corner, a, b, c});
+  }
+  for (std::size_t e = 0; e < surface.edges.size(); ++e) {
+    for (std::size_t f = e + 1; f < surface.edges.size(); ++f)
+      add(PairKind::edge_edge,
+          {surface.edges[e].first, surface.edges[e].second, surface.edges[f].first, surface.edges[f].second});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("self-collision: the closest points are as near as the nearest of many") {
+  Random random(1);
+  for (const PairKind kind : {PairKind::corner_triangle, PairKind::edge_edge}) {
+    for (int i = 0; i < 60; ++i) {
+      PairPlaces x = random.places();
+      if (i % 10 == 7) x[3] = x[2];                                  // degenerate
+      if (i % 10 == 8) x[1] = x[0] + 2.0 * (x[3] - x[2]);            // parallel
+      if (i % 10 == 9) x[3] = x[1] + random.unit() * (x[2] - x[1]);  // in a line
+      const ClosestPoints points = closest_points(kind, x);
+      const double sampled = sampled_distance(kind, x);
+      CHECK(points.distance() <= sampled + 1e-12);
+      CHECK(points.distance() >= sampled - 0.03);
+      Vec3 sum = Vec3::Zero();
+      double first = 0.0, second = 0.0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        sum += points.weights[k] * x[k];
+        const bool in_first = k < (kind == PairKind::corner_triangle ? 1u : 2u);
+        (in_first ? first : second) += points.weights[k];
+        CHECK((in_first ? points.weights[k] : -points.weights[k]) >= -1e-12);
+      }
+      CHECK((sum - points.between).norm() < 1e-12);
+      CHECK(first == doctest::Approx(1.0));
+      CHECK(second == doctest::Approx(-1.0));
+    }
+  }
+}
+
+TEST_CASE("self-collision: a swept pair stops before it touches, and only where it comes near") {
+  Random random(2);
+  for (const PairKind kind : {PairKind::corner_triangle, PairKind::edge_edge}) {
+    int near = 0;
+    for (int i = 0; i < 200; ++i) {
+      const PairPlaces start = random.places(), end = random.places();
+      const double bound = approach_bound(kind, start, end);
+      const double stop = 0.1 * closest_points(kind, start).distance();
+      const double time = first_time_near(kind, start, end, stop, bound);
+      double nearest_before = INFINITY;
+      for (int k = 0; k <= 400; ++k) {
+        const PairPlaces x = places_at(start, end, time * k / 400.0);
+        nearest_before = std::min(nearest_before, closest_points(kind, x).distance());
+      }
+      CHECK(nearest_before >= 0.5 * stop - 1e-12);
+      CHECK(closest_points(kind, start).distance() - nearest_before <= bound + 1e-12);
+      if (time == 1.0) continue;
+      ++near;
+      CHECK(closest_points(kind, places_at(start, end, time)).distance() <= stop);
+    }
+    CHECK(near > 10);
+  }
+}
+
+TEST_CASE("self-collision: the grid finds the pairs that looking at all finds, in 100 random states") {
+  const auto executor = make_tbb_executor(2);
+  std::size_t found_in_all = 0;
+  for (unsigned state = 0; state < 100; ++state) {
+    Random random(state);
+    Places x;
+    std::vector<Triangle> triangles;
+    const bool flat = state % 3 == 0;
+    for (Index i = 0; i < 45; ++i) {
+      x.push_back(random.vector());
+      if (flat) x.back().y() = 0.7;
+    }
+    for (Index i = 0; i + 2 < 45; i += 2) triangles.push_back({i, i + 1, i + 2});
+    const Surface surface(triangles);
+    ClosePairs close(surface, x, 0.05);
+    const double reach = 0.02 + 0.2 * random.unit();
+    std::set<Pair> found;
+    for (const ClosePair& pair : close.find(x, x, reach, *executor)) {
+      CHECK(found.emplace(pair.kind, pair.particles).second);
+      CHECK(pair.thickness <= 0.05);
+      CHECK(pair.thickness <= pair.distance);  // here places are those of the start
+    }
+    CHECK(found == pairs_by_looking_at_all(surface, x, reach));
+    found_in_all += found.size();
+  }
+  CHECK(found_in_all > 1000);
+}
+
+TEST_CASE("self-collision: pairs are found along their ways, too") {
+  const Surface surface({{0, 1, 2}, {3, 4, 5}});
+  const Places start{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0.2, 50, 0.2}, {0.4, 50, 0.2}, {0.2, 50, 0.4}};
+  Places end = start;
+  for (Index i = 3; i < 6; ++i) end[i].y() = -60.0;
+  ClosePairs close(surface, start, 0.01);
+  const auto executor = make_tbb_executor(1);
+  CHECK(close.find(end, end, 0.02, *executor).empty());
+  CHECK(close.find(start, end, 0.02, *executor).size() >= 6);
+}
+
+TEST_CASE("self-collision: sweeps keep contacts and momentum, and velocities gain no energy") {
+  Random random(4);
+  const auto executor = make_tbb_executor(2);
+  std::vector<double> inverse_mass;
+  std::vector<Vec3> values;
+  for (int i = 0; i < 200; ++i) {
+    inverse_mass.push_back(1.0 / (0.5 + random.unit()));
+    values.push_back(random.vector());
+  }
+  std::vector<SurfaceContact> contacts;
+  for (Index i = 0; i + 3 < 200; i += 3) {  // in a chain: each shares a particle with the next
+    const double a = random.unit(), b = random.unit() * (1.0 - a);
+    contacts.push_back({{i, i + 1, i + 2, i + 3},
+                        {1.0, -a, -b, -(1.0 - a - b)},
+                        random.vector().normalized(),
+                        0.0,
+                        Vec3::Zero(),
+                        0.4});
+  }
+  const auto energy_and_momentum = [&] {
+    double energy = 0.0;
+    Vec3 momentum = Vec3::Zero();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      energy += 0.5 * values[i].squaredNorm() / inverse_mass[i];
+      momentum += values[i] / inverse_mass[i];
+    }
+    return std::pair(energy, momentum);
+  };
+  ContactSweeps sweeps(inverse_mass);
+  sweeps.set(contacts);
+  double worst = 0.0;
+  for (const SurfaceContact& contact : contacts) worst = std::min(worst, contact.gap(values));
+  CHECK(worst < -0.5);
+  const auto [energy, momentum] = energy_and_momentum();
+  double before = energy;
+  for (int i = 0; i < 50; ++i) {
+    sweeps.run(values, 0.0, 0.0, 1, *executor);
+    CHECK(energy_and_momentum().first <= before * (1.0 + 1e-14));
+    before = energy_and_momentum().first;
+  }
+  CHECK((energy_and_momentum().second - momentum).norm() < 1e-12 * double(values.size()));
+  CHECK(before < 0.95 * energy);
+  for (const SurfaceContact& contact : contacts) CHECK(contact.gap(values) > -1e-3);
+}
+
+TEST_CASE("self-collision: a zone moves as one piece with its momentum, or with what is held in it") {
+  const std::vector<double> inverse_mass{1.0, 0.5, 1.0, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0};
+  const std::vector<Vec3> start(9, Vec3::Zero());
+  std::vector<Vec3> end(9, Vec3(1, 0, 0)), velocity(9, Vec3(0, 3, 0));
+  end[1] = {4, 0, 0}, velocity[1] = {0, 0, 6};
+  end[6] = {7, 0, 0}, velocity[6] = {8, 0, 0};
+  ImpactZones zones(inverse_mass);
+  zones.join({0, 1, 2, 3});
+  zones.join({4, 5, 6, 7});
+  zones.move(start, end, velocity);
+  CHECK(zones.particles().size() == 8);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(end[i].isApprox(Vec3(11.0 / 5.0, 0, 0)));
+    CHECK(velocity[i].isApprox(Vec3(0, 9.0 / 5.0, 12.0 / 5.0)));
+  }
+  for (std::size_t i = 4; i < 8; ++i) CHECK(end[i].isApprox(Vec3(7, 0, 0)));
+  CHECK(end[8] == Vec3(1, 0, 0));
+}
