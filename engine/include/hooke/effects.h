@@ -381,7 +381,7 @@ struct SelfCollision {
   /// Follows particles on straight lines through the step, so that nothing fast passes between its ends. What
   /// sweeps do not keep from passing is moved as one piece then, with its mean velocity (impact zones).
   bool swept = true;
-  std::uint64_t sweeps = 60;         ///< over the contacts of a step, at most, >= 1
+  std::uint64_t sweeps = 60;          ///< over the contacts of a step, at most, >= 1
   std::vector<Index> triangles = {};  ///< of the scene; none: all of these
 
   static constexpr std::string_view name = "self_collision";
