@@ -90,8 +90,9 @@ inline constexpr const char* depth_alone = R"(
 void main() {}
 )";
 
-inline std::string joined(const char* first, const char* second, const char* third = "") {
-  return std::string(first) + second + third;
+inline std::string joined(const char* first, const char* second, const char* third = "",
+                          const char* fourth = "") {
+  return std::string(first) + second + third + fourth;
 }
 
 }  // namespace hooke::picture::glsl

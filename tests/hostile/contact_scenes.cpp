@@ -1,5 +1,6 @@
 #include "hostile/contact_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -40,20 +41,30 @@ class Builder {
   ContactRun run() {
     const Index bodies = 1 + chance_.below(3);
     for (Index i = 0; i < bodies; ++i) add_body();
-    run_.scene.effects.push_back(Gravity{chance_.between(0.0, 20.0) * chance_.direction()});
-    if (chance_.with(0.3)) run_.scene.effects.push_back(Drag{chance_.magnitude(1e-6, 1e-2)});
+    run_.scene.effects.push_back(Gravity{chance_.between(0.0, 20.0) * size_ * chance_.direction()});
+    if (chance_.with(0.3))
+      run_.scene.effects.push_back(Drag{chance_.magnitude(1e-3, 1.0) * run_.scene.particles.mass[0]});
+    const Index colliders = 1 + (chance_.with(0.5) ? chance_.below(5) : 0);
     bool stay = true;
-    for (Index i = 1 + chance_.below(5); i > 0; --i) stay = add_collider() && stay;
-    choose_settings(stay);
+    for (Index i = 0; i < colliders; ++i) stay = add_collider() && stay;
+    choose_settings(stay && colliders == 1);
     return std::move(run_);
   }
 
  private:
-  /// Strong enough to hold its own weight, and damped.
+  /// Of springs between particles of this mass [kg], so that what is tiny swings as fast as what is huge.
+  struct Strength {
+    double stiffness, damping;
+  };
+  Strength strength(double mass) {
+    const double frequency = chance_.magnitude(10.0, 500.0);  // [1/s]
+    highest_frequency_ = std::max(highest_frequency_, frequency);
+    const double ratio = is_damped_ ? chance_.between(0.05, 0.5) : 0.0;
+    return {frequency * frequency * mass, 2.0 * ratio * frequency * mass};
+  }
+
   void add_body() {
     const std::size_t first = run_.scene.particles.size();
-    const double stiffness = chance_.magnitude(10.0, 1e4), damping = chance_.with(0.5) ? 0.01 : 0.0;
-    damped_ = damped_ && damping > 0.0;
     const Placement placement{.translation = chance_.in_box(size_),
                               .rotation_axis = chance_.direction(),
                               .rotation_degrees = chance_.between(0.0, 360.0),
@@ -61,30 +72,38 @@ class Builder {
     switch (chance_.below(3)) {
       case 0: {
         const Index side = 3 + chance_.below(8);
+        const auto [stiffness, damping] = strength(0.2 * std::pow(size_ / side, 2));
         add(run_.scene, ClothGrid{.columns = side,
                                   .rows = side,
                                   .spacing = 1.0 / side,
                                   .stretch = stiffness,
                                   .shear = 0.5 * stiffness,
+                                  .bend = 0.01 * stiffness,
                                   .damping = damping,
                                   .placement = placement});
         break;
       }
-      case 1:
-        add(run_.scene, Rope{.particles = 2 + chance_.below(30),
-                             .start = chance_.in_box(size_),
-                             .end = chance_.in_box(size_) + 3.0 * size_ * Vec3::UnitX(),
+      case 1: {
+        const Index particles = 2 + chance_.below(30);
+        const auto [stiffness, damping] = strength(0.05 * 3.0 * size_ / particles);
+        const Vec3 start = chance_.in_box(size_);
+        add(run_.scene, Rope{.particles = particles,
+                             .start = start,
+                             .end = start + 3.0 * size_ * chance_.direction(),
                              .stretch = stiffness,
                              .damping = damping});
         break;
+      }
       default: {
         const Index side = 2 + chance_.below(3);
+        const auto [stiffness, damping] = strength(100.0 * std::pow(0.5 * size_ / side, 3));
         add(run_.scene, Block{.nx = side,
                               .ny = side,
                               .nz = side,
                               .spacing = 0.5 / side,
                               .stretch = stiffness,
                               .shear = 0.5 * stiffness,
+                              .body = 0.5 * stiffness,
                               .damping = damping,
                               .placement = placement});
       }
@@ -145,19 +164,20 @@ class Builder {
     return !moves;
   }
 
-  void choose_settings(bool colliders_stay) {
+  void choose_settings(bool one_that_stays) {
     const std::vector<Method> methods{
         SymplecticEuler{}, Verlet{}, BackwardEuler{}, Bdf2{}, Xpbd{}, BackwardEuler{}, ProjectiveDynamics{}};
     run_.settings.method = methods[chance_.below(Index(methods.size()))];
     run_.settings.step = chance_.magnitude(1.0 / 500.0, 1.0 / 30.0);
     run_.settings.threads = 1;
-    run_.loses_energy =
-        colliders_stay && damped_ && std::holds_alternative<BackwardEuler>(run_.settings.method);
+    run_.loses_energy = one_that_stays && is_damped_ && highest_frequency_ * run_.settings.step < 0.3 &&
+                        std::holds_alternative<BackwardEuler>(run_.settings.method);
   }
 
   Chance chance_;
   double size_;
-  bool damped_ = true;
+  double highest_frequency_ = 0.0;  ///< [1/s] of a spring and a particle
+  bool is_damped_ = chance_.with(0.6);
   ContactRun run_;
 };
 

@@ -10,7 +10,10 @@ namespace hooke::test {
 struct ContactRun {
   Scene scene;
   Settings settings;
-  bool loses_energy = false;  ///< damped, by backward Euler, among colliders that stay
+  /// By backward Euler, damped, in steps that follow the springs, with one collider, that stays: see the
+  /// limits in docs/contact.md.
+  bool loses_energy = false;
+  ///< push from one into the other
 };
 
 /// Cloths, ropes and blocks among colliders of every kind, huge or tiny, overlapping at the start, moving

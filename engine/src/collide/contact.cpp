@@ -82,6 +82,11 @@ HWY_INLINE std::uint32_t stop_at_entry(D d, const Shape& shape, Real distance, R
   return stopped;
 }
 
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> are_finite(D, const Vector3<V>& a) {
+  return hn::And(hn::IsFinite(a.x), hn::And(hn::IsFinite(a.y), hn::IsFinite(a.z)));
+}
+
 /// What a contact leaves of the velocity against the surface. Coulomb's law: what the surface takes of the
 /// velocity along it is at most `friction` times the change across it.
 template <class D, class Real, class V = hn::Vec<D>>
@@ -163,6 +168,9 @@ HWY_INLINE std::uint16_t resolve_shape(const Shape& shape, const Contact<Real>& 
     const Vector3<V> place = p + scaled(share, along) + scaled(depth, surface.outwards);
     const Vector3<V> next = turned(d, contact.after, place) + set3(d, contact.after.origin);
     const Vector3<V> velocity = v + turned(d, contact.after, change);
+    // Where speeds are so high that their squares overflow, the run has gone bad: it is left to its next step
+    // to tell.
+    touches = hn::And(touches, hn::And(are_finite(d, next), are_finite(d, velocity)));
     const auto put = [&](V value, Real* values) HWY_ATTR {
       hn::Store(hn::IfThenElse(touches, value, hn::Load(d, values + lane)), d, values + lane);
     };

@@ -1,6 +1,8 @@
 #include "collide/contact_sweeps.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "parallel/sum.h"
 
@@ -9,6 +11,9 @@ namespace {
 
 /// Contacts that one thread takes at a time: some microseconds of work.
 constexpr std::size_t contacts_in_run = 256;
+
+/// A particle is not moved by more than so many times what the contact lacks.
+constexpr double most_leverage = 10.0;
 
 constexpr unsigned no_colour = ~0u, colours_at_once = 64;
 
@@ -34,10 +39,14 @@ void ContactSweeps::set(const std::vector<SurfaceContact>& contacts) {
   pushed_.resize(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     contacts_[place_[c]] = contacts[c];
-    double sum = 0.0;
-    for_each_moved(contacts[c], inverse_mass_,
-                   [&](Index i, double weight) { sum += weight * weight * inverse_mass_[i]; });
-    inverse_masses_[place_[c]] = sum;
+    double sum = 0.0, largest = 0.0;
+    for_each_moved(contacts[c], inverse_mass_, [&](Index i, double weight) {
+      sum += weight * weight * inverse_mass_[i];
+      largest = std::max(largest, std::abs(weight) * inverse_mass_[i]);
+    });
+    // Where a particle that is far from the place where they touch is the only one that can move, it would
+    // have to go very far: it goes a part of the way.
+    inverse_masses_[place_[c]] = std::max(sum, largest / most_leverage);
   }
 }
 
