@@ -64,7 +64,7 @@ inline std::vector<NamedEffect> one_of_each_effect() {
       {"frame_attachment",
        FrameAttachment{.particles = {10, 11}, .path = {{0.0}, {1.0, {0.0, 0.1, 0.0}, 20.0}}},
        {}},
-      {"stitch", Stitch{.first = {8}, .second = {9}, .closing_time = 0.5}, {}},
+      {"stitch", Stitch{.first = {8}, .second = {9}, .closing_time = 0.02}, {}},
       {"self_collision", SelfCollision{.thickness = 0.6, .friction = 0.2}, SelfCollision{.thickness = 1e-9}},
   };
 }
