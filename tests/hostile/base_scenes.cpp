@@ -16,8 +16,10 @@ constexpr int vertices_along = 5;
 void shrink(Json& scene) {
   if (scene.contains("cloth_grid")) {
     scene["cloth_grid"].update({{"columns", columns}, {"rows", columns}});
-    for (Json& pin : scene["pins"]) {
-      if (pin.contains("cloth_grid")) pin["at"][0] = std::min(pin["at"][0].get<int>(), columns - 1);
+    if (scene.contains("pins")) {
+      for (Json& pin : scene["pins"]) {
+        if (pin.contains("cloth_grid")) pin["at"][0] = std::min(pin["at"][0].get<int>(), columns - 1);
+      }
     }
   }
   if (scene.contains("block")) scene["block"].update({{"nx", 3}, {"ny", 3}, {"nz", 3}});

@@ -49,7 +49,7 @@ TEST_CASE("a cloth of 128 x 128 particles falls over the mesh of a ball and come
   int touching = 0;
   for (Index i = 0; i < file.scene.particles.size(); ++i) {
     const Vec3 place = test::position(simulation, i);
-    // The mesh's corners lie on the ball, and its faces up to 3e-5 m inside.
+    // The mesh's corners lie on the ball, and its faces up to 2e-4 m inside.
     const double gap = std::min(place.norm() - radius, place.y() + radius);
     least = std::min(least, gap);
     touching += gap < 1.01 * thickness ? 1 : 0;
@@ -57,7 +57,7 @@ TEST_CASE("a cloth of 128 x 128 particles falls over the mesh of a ball and come
   }
   MESSAGE("after 2 s: least distance ", least, " m, fastest ", fastest, " m/s, kinetic energy ",
           simulation.energy().kinetic, " J, touching ", touching);
-  CHECK(least > thickness - 5e-5);
+  CHECK(least > thickness - 2.1e-4);
   CHECK(simulation.energy().kinetic < 1e-6);
   CHECK(fastest < 0.03);
   CHECK(touching > 3000);
