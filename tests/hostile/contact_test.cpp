@@ -20,7 +20,7 @@ namespace {
 
 std::uint32_t scenes() {
   const char* wanted = std::getenv("HOOKE_CONTACT_SCENES");
-  return wanted != nullptr ? std::uint32_t(std::strtoul(wanted, nullptr, 10)) : sanitized ? 100 : 1000;
+  return wanted != nullptr ? std::uint32_t(std::strtoul(wanted, nullptr, 10)) : sanitized ? 100 : 300;
 }
 
 template <class Real>
