@@ -20,8 +20,9 @@ struct ObstacleSurface {
 /// The colliders of a scene, one place at a time: for what has to know how particles lie on them.
 class Obstacles {
  public:
-  /// They are seen from places nearer than `margin` [m] to their surface and thickness.
-  Obstacles(const Scene& scene, const Frames& frames, double margin);
+  /// They are seen from places nearer than `margin` [m] to their surface and thickness. Where the scene has a
+  /// collider it has frames.
+  Obstacles(const Scene& scene, const Frames* frames, double margin);
 
   std::size_t size() const { return solids_.size(); }
 

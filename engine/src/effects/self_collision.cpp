@@ -72,7 +72,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         free_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         inverse_mass_(free_mass_),
         scripted_(scripted_times(context.scene, context.model.order)),
-        obstacles_(context.scene, *context.model.frames, collision.thickness),
+        obstacles_(context.scene, context.model.frames.get(), collision.thickness),
         narrow_phase_(collision.thickness, collision.friction, collision.swept),
         sweeps_(inverse_mass_),
         zones_(inverse_mass_) {}
