@@ -158,6 +158,17 @@ TEST_CASE(
   check(HeightDistance<float>(hills(9, 11), 0.2), 0.4);
 }
 
+TEST_CASE(
+    "the nearest point of a triangle whose corners coincide, or lie on a line, is on the line between them") {
+  using V = Eigen::Vector3f;
+  const V low(0, 0, 0), high(2, 0, 0), middle(1, 0, 0), point(1.5f, 1, 0);
+  for (const auto& [a, b, c] :
+       {std::array{low, low, high}, std::array{low, high, high}, std::array{high, low, high},
+        std::array{low, middle, high}, std::array{middle, high, low}})
+    CHECK(closest_on_triangle<float>(point, a, b, c).point == V(1.5f, 0, 0));
+  CHECK(closest_on_triangle<float>(point, low, low, low).point == low);
+}
+
 TEST_CASE("mesh collider: a box of triangles does what a box does") {
   const Vec3 half(0.5, 0.3, 0.7);
   const std::vector<RigidKeyframe> path{{0.0, {0.1, 0, 0}, 20.0}, {1.0, {0.3, 0.4, 0}, 200.0}};

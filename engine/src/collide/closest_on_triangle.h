@@ -29,15 +29,15 @@ ClosestOnTriangle<Real> closest_on_triangle(const Eigen::Matrix<Real, 3, 1>& p,
   const Real d3 = ab.dot(bp), d4 = ac.dot(bp);
   if (d3 >= 0 && d4 <= d3) return {b, TrianglePart::corner_b};
   const Real beside_ab = d1 * d4 - d3 * d2;
-  if (beside_ab <= 0 && d1 >= 0 && d3 <= 0) return {a + d1 / (d1 - d3) * ab, TrianglePart::edge_a};
+  if (beside_ab <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) return {a + d1 / (d1 - d3) * ab, TrianglePart::edge_a};
   const Vector cp = p - c;
   const Real d5 = ab.dot(cp), d6 = ac.dot(cp);
   if (d6 >= 0 && d5 <= d6) return {c, TrianglePart::corner_c};
   const Real beside_ac = d5 * d2 - d1 * d6;
-  if (beside_ac <= 0 && d2 >= 0 && d6 <= 0) return {a + d2 / (d2 - d6) * ac, TrianglePart::edge_c};
+  if (beside_ac <= 0 && d2 >= 0 && d6 <= 0 && d2 > d6) return {a + d2 / (d2 - d6) * ac, TrianglePart::edge_c};
   const Real beside_bc = d3 * d6 - d5 * d4;
   const Real along = d4 - d3, back = d5 - d6;
-  if (beside_bc <= 0 && along >= 0 && back >= 0)
+  if (beside_bc <= 0 && along >= 0 && back >= 0 && along + back > 0)
     return {b + along / (along + back) * (c - b), TrianglePart::edge_b};
   const Real scale = Real(1) / (beside_ab + beside_ac + beside_bc);
   return {a + ab * (beside_ac * scale) + ac * (beside_ab * scale), TrianglePart::face};
