@@ -111,7 +111,11 @@ HWY_INLINE hn::Mask<D> stop_fast(D d, const Shape& shape, const Contact<Real>& c
                                  V gap, Vector3<V>& p) {
   const Real skin = Real(0.05) * shape.inner_radius();
   const V zero = hn::Zero(d);
-  V above = hn::Add(gap, hn::Set(d, skin));
+  const auto above_skin = [&](V gap_there) HWY_ATTR { return hn::Add(gap_there, hn::Set(d, skin)); };
+  const auto looked_at = [&](const Vector3<V>& place) HWY_ATTR {
+    return above_skin(hn::Sub(surface_at(d, shape, place).distance, hn::Set(d, contact.thickness)));
+  };
+  V above = above_skin(gap);
   const Vector3<V> start{hn::Load(d, block.x0 + lane), hn::Load(d, block.y0 + lane),
                          hn::Load(d, block.z0 + lane)};
   const Vector3<V> q = to_local(d, contact.before, start), way = p - q;
@@ -120,11 +124,8 @@ HWY_INLINE hn::Mask<D> stop_fast(D d, const Shape& shape, const Contact<Real>& c
   const auto may_be_through = hn::And(hn::Ge(above, zero), hn::Lt(above, length));
   const auto is_fast = hn::And(is_free, hn::Or(is_deep, may_be_through));
   if (hn::AllFalse(d, is_fast)) return is_fast;
-  if constexpr (Shape::is_looked_up)  // what was seen earlier does not decide what becomes of it
-    above =
-        hn::Add(hn::Sub(surface_at(d, shape, p).distance, hn::Set(d, contact.thickness)), hn::Set(d, skin));
-  const V above_before =
-      hn::Add(hn::Sub(surface_at(d, shape, q).distance, hn::Set(d, contact.thickness)), hn::Set(d, skin));
+  if constexpr (Shape::is_looked_up) above = looked_at(p);  // what was seen earlier does not decide
+  const V above_before = looked_at(q);
   const auto came_in = hn::And(hn::Ge(above_before, zero), hn::Lt(hn::Add(above_before, above), length));
   const auto candidates = hn::And(is_fast, came_in);
   if (hn::AllFalse(d, candidates)) return candidates;

@@ -75,16 +75,12 @@ SeenSurface<Real> HeightDistance<Real>::from(const Vector& point, Real reach) co
   const Real x = std::clamp(point.x(), -half_.x(), half_.x()),
              z = std::clamp(point.z(), -half_.z(), half_.z());
   if (!point.allFinite()) return seen_far_away(std::numeric_limits<Real>::quiet_NaN(), Real(0));
-  const auto far_outside = [&](Real at_least) {
-    const Real within = Real(0.5) * (at_least - reach);
-    return seen_far_away(at_least - within, within);
-  };
   const Real top = height_at(x, z);
   const bool is_beside = x != point.x() || z != point.z();
   if (point.y() <= top && (is_beside || point.y() < -half_.y())) {
     const Vector nearest(x, std::max(point.y(), -half_.y()), z);
     const Real distance = (point - nearest).norm();
-    if (distance > reach + slack_) return far_outside(distance);
+    if (distance > reach + slack_) return seen_far_away(distance, reach);
     // Straight off a wall: with the bits that it has from inside.
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const Vector straight = Vector::Unit(axis) * (point[axis] - nearest[axis]);
@@ -94,15 +90,16 @@ SeenSurface<Real> HeightDistance<Real>::from(const Vector& point, Real reach) co
     return seen_from_edge<Real>(nearest, Vector(-Vector::UnitY()), Real(1), point);
   }
   const Real above = (point.y() - top) * cosine_ - slack_;
-  if (above > reach) return far_outside(above);
+  if (above > reach) return seen_far_away(above, reach);
   Nearest nearest{std::numeric_limits<Real>::infinity(), Vector::Zero(), Vector::UnitY(), true};
   const bool is_inside = point.y() < top;
   look_at_walls(point, is_inside, nearest);
   look_at_top(point, nearest);
   if (!nearest.is_on_face)
     return seen_from_edge<Real>(nearest.point, nearest.normal, is_inside ? Real(-1) : Real(1), point);
-  return {nearest.normal, nearest.normal.dot(nearest.point),
-          holds_within(std::sqrt(nearest.square), std::sqrt(nearest.second), slack_)};
+  // Neither distance changes by more than the point moves.
+  const Real further = std::sqrt(nearest.second) - std::sqrt(nearest.square);
+  return {nearest.normal, nearest.normal.dot(nearest.point), std::max(Real(0.5) * further - slack_, Real(0))};
 }
 
 /// Keeps the nearer one.

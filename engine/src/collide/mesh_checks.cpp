@@ -63,19 +63,13 @@ bool check_values(const MeshShape& mesh, const ElementChecks& checks) {
   return good;
 }
 
-double volume_of(const WeldedSurface& surface) {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : corners_of(surface)) sum += a.dot(b.cross(c));
-  return sum / 6.0;
-}
-
 }  // namespace
 
 void check_mesh(const MeshShape& mesh, const ElementChecks& checks) {
   if (!check_values(mesh, checks)) return;
   const WeldedSurface surface = welded_surface(mesh);
   if (!check_edges(surface.triangles, "vertex", checks)) return;
-  const double volume = volume_of(surface);
+  const double volume = enclosed_volume(surface.vertices, surface.triangles);
   if (!(volume > 0.0) || !std::isfinite(volume))
     return checks.add("the mesh encloses a volume of " + to_text(volume) + " m^3",
                       "order the corners of all triangles anticlockwise as seen from outside");

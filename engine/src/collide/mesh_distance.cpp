@@ -270,22 +270,16 @@ Real MeshDistance<Real>::holds_within(const Cell& cell, Real from_middle, Index 
 }
 
 template <class Real>
-SeenSurface<Real> MeshDistance<Real>::far_outside(Real at_least) const {
-  const Real within = Real(0.5) * (at_least - reach_);
-  return seen_far_away(at_least - within, std::max(within, Real(0)));
-}
-
-template <class Real>
 SeenSurface<Real> MeshDistance<Real>::far_from(Real distance, const Vector& middle,
                                                const Vector& point) const {
-  return distance > Real(0) ? far_outside(distance - (point - middle).norm()) : by_tree(point);
+  return distance > Real(0) ? seen_far_away(distance - (point - middle).norm(), reach_) : by_tree(point);
 }
 
 template <class Real>
 SeenSurface<Real> MeshDistance<Real>::outside_grid(const Vector& point) const {
   const Vector size = cell_ * Real(brick) * bricks_.template cast<Real>();
   const Vector beyond = (low_ - point).cwiseMax(point - low_ - size);
-  return far_outside(beyond.maxCoeff() + margin_);
+  return seen_far_away(beyond.maxCoeff() + margin_, reach_);
 }
 
 template <class Real>

@@ -56,7 +56,6 @@ class MeshDistance {
   }
   SeenSurface<Real> nearest_of(const Cell& cell, Real from_middle, const Vector& point) const;
   Real holds_within(const Cell& cell, Real from_middle, Index face, const Vector& point) const;
-  SeenSurface<Real> far_outside(Real at_least) const;
   SeenSurface<Real> by_tree(const Vector& point) const;
   SeenSurface<Real> far_from(Real distance, const Vector& middle, const Vector& point) const;
   SeenSurface<Real> outside_grid(const Vector& point) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -18,10 +19,12 @@ struct SeenSurface {
   Real distance(const Vector& point) const { return outwards.dot(point) - offset; }
 };
 
-/// A surface that is further away than this from points within a radius.
+/// A surface of which no more is told than that it is at least so far away, which is no less than `reach`; so
+/// it is half of the way there.
 template <class Real>
-SeenSurface<Real> seen_far_away(Real at_least, Real within) {
-  return {Eigen::Matrix<Real, 3, 1>::Zero(), -at_least, within};
+SeenSurface<Real> seen_far_away(Real at_least, Real reach) {
+  const Real within = std::max(Real(0.5) * (at_least - reach), Real(0));
+  return {Eigen::Matrix<Real, 3, 1>::Zero(), within - at_least, within};
 }
 
 /// From the nearest point, which lies on an edge or a corner, whose normal is some direction out of the
@@ -37,13 +40,6 @@ SeenSurface<Real> seen_from_edge(const Eigen::Matrix<Real, 3, 1>& nearest,
   const bool is_noise = length <= noise * point.cwiseAbs().maxCoeff();
   const Eigen::Matrix<Real, 3, 1> outwards = is_noise ? normal : away * (side / length);
   return {outwards, outwards.dot(nearest), Real(0)};
-}
-
-/// The radius around a point in which it sees the same face, when that is `nearest` and all others are at
-/// least `second` away; `slack` for rounding.
-template <class Real>
-Real holds_within(Real nearest, Real second, Real slack) {
-  return std::max(Real(0.5) * (second - nearest) - slack, Real(0));
 }
 
 }  // namespace hooke

@@ -11,25 +11,13 @@
 #include <bit>
 
 #include "collide/local_shape.h"
+#include "effects/lanes-inl.h"
 #include "kernels/elements-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hooke {
 namespace HWY_NAMESPACE {
 namespace {
-
-template <class D>
-HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, mask, bytes);
-  return std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
-}
-
-template <class D>
-HWY_INLINE hn::Mask<D> mask_of(D d, std::uint32_t bits) {
-  const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
-  return hn::LoadMaskBits(d, bytes);
-}
 
 /// Of a shape's surface, as seen from points in its frame.
 template <class V>

@@ -50,9 +50,7 @@ HWY_INLINE std::size_t meeting(const BoundsList<Real>& list, const Bounds<Real>&
       meets = hn::And(meets, hn::Le(hn::Load(d, list.low(axis) + i), hn::Set(d, box.high[axis])));
       meets = hn::And(meets, hn::Ge(hn::Load(d, list.high(axis) + i), hn::Set(d, box.low[axis])));
     }
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, meets, bytes);
-    std::uint32_t bits = std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8;
+    std::uint32_t bits = bits_of(d, meets);
     if (i < from) bits &= ~0u << (from - i);
     if (bits != 0) return i + std::size_t(std::countr_zero(bits));
   }

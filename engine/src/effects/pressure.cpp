@@ -33,7 +33,7 @@ PressureLaw gas(const Pressure& effect, double start, double volume) {
 template <class Real>
 EffectPointer<Real> compile_effect(const Pressure& effect, const EffectContext<Real>& context) {
   const std::vector<Triangle> triangles = chosen_triangles(context.scene, effect.triangles);
-  const double start = enclosed_volume(context.scene, triangles);
+  const double start = enclosed_volume(context.scene.particles.position, triangles);
   return compile_enclosed_gas<Real>(
       Pressure::name, triangles,
       [=](double volume) {
@@ -57,7 +57,7 @@ void check_effect(const Pressure& effect, const Scene& scene, const ElementCheck
 
 void add_bounds(const Pressure& effect, const Scene& scene, HeldParticles& held) {
   const std::vector<Triangle> triangles = chosen_triangles(scene, effect.triangles);
-  const double start = enclosed_volume(scene, triangles);
+  const double start = enclosed_volume(scene.particles.position, triangles);
   add_bounds_of_gas(triangles, gas(effect, start, start), scene, held);
 }
 

@@ -96,7 +96,7 @@ class Seam final : public CompiledEffect<Real> {
 
   double inverse_mass(Index particle, double time) const {
     for (const ScriptedTime& script : scripted_) {
-      if (script.particle == particle && script.from <= time && time <= script.to) return 0.0;
+      if (script.particle == particle && script.holds_at(time)) return 0.0;
     }
     return inverse_mass_[particle];
   }

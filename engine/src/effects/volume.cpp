@@ -17,7 +17,7 @@ PressureLaw elastic(double bulk_modulus, double at_rest, double volume) {
 template <class Real>
 EffectPointer<Real> compile_effect(const Volume& effect, const EffectContext<Real>& context) {
   const std::vector<Triangle> triangles = chosen_triangles(context.scene, effect.triangles);
-  const double at_rest = effect.ratio * enclosed_volume(context.scene, triangles);
+  const double at_rest = effect.ratio * enclosed_volume(context.scene.particles.position, triangles);
   return compile_enclosed_gas<Real>(
       Volume::name, triangles,
       [=, modulus = effect.bulk_modulus](double volume) { return elastic(modulus, at_rest, volume); },
@@ -35,7 +35,7 @@ void check_effect(const Volume& effect, const Scene& scene, const ElementChecks&
 
 void add_bounds(const Volume& effect, const Scene& scene, HeldParticles& held) {
   const std::vector<Triangle> triangles = chosen_triangles(scene, effect.triangles);
-  const double volume = enclosed_volume(scene, triangles);
+  const double volume = enclosed_volume(scene.particles.position, triangles);
   add_bounds_of_gas(triangles, elastic(effect.bulk_modulus, effect.ratio * volume, volume), scene, held);
 }
 

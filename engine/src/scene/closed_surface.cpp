@@ -64,9 +64,8 @@ bool check_edges(const std::vector<Triangle>& triangles, std::string_view corner
   return false;
 }
 
-double enclosed_volume(const Scene& scene, const std::vector<Triangle>& triangles) {
+double enclosed_volume(const std::vector<Vec3>& x, const std::vector<Triangle>& triangles) {
   if (triangles.empty()) return 0.0;
-  const auto& x = scene.particles.position;
   const Vec3 origin = x[triangles.front()[0]];
   double sum = 0.0;
   for (const auto& [a, b, c] : triangles) sum += (x[a] - origin).dot((x[b] - x[a]).cross(x[c] - x[a]));
@@ -77,7 +76,7 @@ void check_closed_surface(const Scene& scene, const std::vector<Index>& chosen, 
   if (!check_choice(scene, chosen, checks)) return;
   const std::vector<Triangle> triangles = chosen_triangles(scene, chosen);
   if (!check_edges(triangles, "particle", checks)) return;
-  const double volume = enclosed_volume(scene, triangles);
+  const double volume = enclosed_volume(scene.particles.position, triangles);
   if (!(volume > 0.0))
     checks.add("the triangles enclose a volume of " + to_text(volume) + " m^3",
                "order the corners of all triangles anticlockwise as seen from outside");

@@ -19,6 +19,6 @@ bool check_edges(const std::vector<Triangle>& triangles, std::string_view corner
                  const ElementChecks& checks);
 
 /// The volume [m^3] that triangles enclose at the start; negative where their normals point inwards.
-double enclosed_volume(const Scene& scene, const std::vector<Triangle>& triangles);
+double enclosed_volume(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
 
 }  // namespace hooke
