@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <hooke/pair_memory.h>
+
 #include "aligned.h"
 
 namespace hooke {
@@ -98,6 +100,10 @@ class State {
 
   /// What effects remember of the past, such as how far springs have yielded: mostly nothing.
   std::vector<Real> memory;
+
+  /// Likewise of pairs of particles that come and go, in the engine's numbering; a list for each effect that
+  /// does, sorted.
+  std::vector<std::vector<PairMemory<Real>>> pairs;
 
   /// From one array's base to the next one's. The bases of a state's arrays differ by five cache lines modulo
   /// 4 KiB: with equal low address bits, loads from one array would falsely wait for stores to another.

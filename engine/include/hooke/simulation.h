@@ -13,6 +13,7 @@
 #include <hooke/clock.h>
 #include <hooke/executor.h>
 #include <hooke/methods.h>
+#include <hooke/pair_memory.h>
 #include <hooke/report.h>
 #include <hooke/rigid_pose.h>
 #include <hooke/scene.h>
@@ -117,6 +118,11 @@ struct Snapshot {
   double remainder = 0.0;  ///< [s] of the clock
   MethodMemory<Real> method;
   std::vector<Real> effects;  ///< what effects remember, such as how far springs have yielded; mostly nothing
+  /// What effects remember of pairs of particles that come and go; mostly nothing. One list for each effect
+  /// that does, in their order in the scene.
+  std::vector<std::vector<PairMemory<Real>>> pairs;
+  /// The scene as it has torn; null where it has not.
+  std::shared_ptr<const Scene> torn;
   /// Of the frames that the host may move, in the order of their effects; empty where it never moved one. A
   /// pose that was given for the next step is not in it.
   std::vector<RigidPose> frames;
@@ -151,6 +157,13 @@ class Simulation {
   StateView<Real> state() const;
   /// For each of the user's particles, its place in state().
   Index engine_index(Index particle) const;
+
+  /// The scene's triangles, in the user's numbering: as they are now, where it has torn. Valid until the next
+  /// call that changes the simulation.
+  std::span<const Triangle> triangles() const;
+  /// For each particle the one of the scene that it is, or has been split from by Tearing; itself, where
+  /// nothing has torn.
+  Index origin(Index particle) const;
 
   /// Writes x, y, z of each particle [m], in the user's numbering: the first at `first`, each `stride_bytes`
   /// after the one before, as a vertex buffer wants it. `interpolation` goes from the previous state (0) to

@@ -55,6 +55,10 @@ template <class Real>
 EffectPointer<Real> compile_effect(const Stitch&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const SelfCollision&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const ParticleContact&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Tearing&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -80,6 +84,8 @@ void check_effect(const Collider&, const Scene&, const ElementChecks&);
 void check_effect(const FrameAttachment&, const Scene&, const ElementChecks&);
 void check_effect(const Stitch&, const Scene&, const ElementChecks&);
 void check_effect(const SelfCollision&, const Scene&, const ElementChecks&);
+void check_effect(const ParticleContact&, const Scene&, const ElementChecks&);
+void check_effect(const Tearing&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -105,6 +111,8 @@ void add_bounds(const Collider&, const Scene&, HeldParticles&);
 void add_bounds(const FrameAttachment&, const Scene&, HeldParticles&);
 void add_bounds(const Stitch&, const Scene&, HeldParticles&);
 void add_bounds(const SelfCollision&, const Scene&, HeldParticles&);
+void add_bounds(const ParticleContact&, const Scene&, HeldParticles&);
+void add_bounds(const Tearing&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
