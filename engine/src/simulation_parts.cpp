@@ -35,6 +35,7 @@ template <class Real>
 State<Real> start_of(const Scene& scene, const Model<Real>& model, const Forces<Real>& forces) {
   State<Real> start = initial_state(scene, model);
   start.memory = forces.effects().initial_memory();
+  start.pairs.resize(forces.effects().pair_lists());
   return start;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "rigid_pose_check.h"
 #include "simulation_parts.h"
@@ -87,6 +88,29 @@ void check_effects(const std::vector<Real>& values, std::size_t expected) {
           "effects remember a value that is not finite; give finite values");
 }
 
+template <class Real>
+void check_pairs(const std::vector<std::vector<PairMemory<Real>>>& lists, std::size_t expected,
+                 std::size_t particles) {
+  require(lists.size() == expected, "effects remember " + std::to_string(lists.size()) +
+                                        " lists of pairs; the simulation needs " + std::to_string(expected));
+  for (const auto& list : lists) {
+    require(std::is_sorted(list.begin(), list.end(),
+                           [](const auto& a, const auto& b) {
+                             return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+                           }),
+            "pairs are not in order; sort them by their first particle, then by their second one");
+    for (const PairMemory<Real>& pair : list) {
+      const std::string which =
+          "the pair of particles " + std::to_string(pair.first) + " and " + std::to_string(pair.second);
+      require(
+          pair.first < pair.second && pair.second < particles,
+          which + " cannot be; give the lower number first, of " + std::to_string(particles) + " particles");
+      for (const Real value : pair.value)
+        require(std::isfinite(value), which + " has a value that is not finite; give finite values");
+    }
+  }
+}
+
 void check_frames(const std::vector<RigidPose>& poses, const Frames* frames) {
   const std::size_t expected = frames == nullptr ? 0 : frames->movable();
   require(poses.empty() || poses.size() == expected, "there are " + std::to_string(poses.size()) +
@@ -123,6 +147,7 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
   snapshot.method.state = hash_of_state(snapshot);
   const State<Real>& now = p.states.now();
   snapshot.effects = now.memory;
+  snapshot.pairs = now.pairs;
   if (p.model.frames != nullptr) snapshot.frames = p.model.frames->poses(now.time);
   if (now.pending_kick != 0.0) {
     snapshot.method.velocities = velocities_of(now, p.model.order);
@@ -150,6 +175,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   require(std::isfinite(snapshot.time), "time is not finite; give a finite value");
   check_memory(snapshot.method, p.model.particles());
   check_effects(snapshot.effects, p.states.now().memory.size());
+  check_pairs(snapshot.pairs, p.states.now().pairs.size(), p.model.particles());
   check_frames(snapshot.frames, p.model.frames.get());
   p.clock.set_remainder(snapshot.remainder);
   p.set_substeps(substeps_of(p.stability.bounds, p.settings));
@@ -162,6 +188,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   const std::vector<Real>& velocities = pending ? memory.velocities : snapshot.velocities;
   set_state(snapshot.positions, velocities, p.model.order, p.states.now());
   p.states.now().memory = snapshot.effects;
+  p.states.now().pairs = snapshot.pairs;
   restore_frames(snapshot.frames, p.model.frames.get(), p.forces.effects());
   p.forces.effects().pins_moved(p.states.now());
   p.states.now().time = snapshot.time;

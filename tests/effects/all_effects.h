@@ -66,6 +66,9 @@ inline std::vector<NamedEffect> one_of_each_effect() {
        {}},
       {"stitch", Stitch{.first = {8}, .second = {9}, .closing_time = 0.02}, {}},
       {"self_collision", SelfCollision{.thickness = 0.6, .friction = 0.2}, SelfCollision{.thickness = 1e-9}},
+      {"particle_contact",
+       ParticleContact{.radius = {0.4}, .stiffness = 50.0, .shear_stiffness = 10.0, .friction = 0.3},
+       ParticleContact{.radius = {0.4}, .stiffness = 0.0}},
   };
 }
 
