@@ -186,7 +186,7 @@ class GrainForce final : public CompiledEffect<Real> {
   }
 
   Stage preparation_stage() const override {
-    return {"particle_contact: pairs",
+    return {std::string(ParticleContact::name) + " (pairs)",
             {},
             {"position", "velocity", "slid way"},
             {"touching grains"},
