@@ -77,6 +77,13 @@ bool is_known(const SurfaceContact& contact, const std::vector<SurfaceContact>& 
   return false;
 }
 
+/// The first pair from this one on that begins another first particle than the one before: what is found of a
+/// corner may not depend on where runs begin.
+std::size_t begin_of_particle(const std::vector<ClosePair>& pairs, std::size_t pair) {
+  while (pair > 0 && pair < pairs.size() && pairs[pair].particles[0] == pairs[pair - 1].particles[0]) ++pair;
+  return std::min(pair, pairs.size());
+}
+
 }  // namespace
 
 template <class Look>
@@ -88,8 +95,8 @@ std::span<const NarrowPhase::Run> NarrowPhase::look_at(const std::vector<ClosePa
     for (std::size_t r = begin; r < end; ++r) {
       Run& run = runs_[r];
       run.contacts.clear(), run.crossing.clear(), run.passed = false;
-      for (std::size_t i = r * pairs_in_run; i < std::min(pairs.size(), (r + 1) * pairs_in_run); ++i)
-        look(pairs[i], run);
+      const std::size_t last = begin_of_particle(pairs, (r + 1) * pairs_in_run);
+      for (std::size_t i = begin_of_particle(pairs, r * pairs_in_run); i < last; ++i) look(pairs[i], run);
     }
   });
   return {runs_.data(), count};
