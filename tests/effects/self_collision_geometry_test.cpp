@@ -6,10 +6,10 @@
 #include <set>
 #include <vector>
 
+#include "collide/box_tree.h"
 #include "collide/close_pairs.h"
 #include "collide/closest_points.h"
 #include "collide/contact_sweeps.h"
-#include "collide/hash_grid.h"
 #include "collide/impact_zones.h"
 #include "collide/swept_test.h"
 
@@ -194,6 +194,7 @@ TEST_CASE("self-collision: sweeps keep contacts and momentum, and velocities gai
     return std::pair(energy, momentum);
   };
   ContactSweeps sweeps(inverse_mass);
+  sweeps.find_particles(contacts);
   sweeps.set(contacts);
   double worst = 0.0;
   for (const SurfaceContact& contact : contacts) worst = std::min(worst, contact.gap(values));

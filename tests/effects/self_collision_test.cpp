@@ -97,7 +97,9 @@ TEST_CASE("self-collision: a sheet that falls on another comes to rest on it, an
   }
   const Index corner = Index(scene.particles.size()) - 1;
   CHECK(position(simulation, corner).y() == doctest::Approx(thickness).epsilon(0.02));
-  CHECK(velocity(simulation, corner).norm() < 1e-3);
+  // What gravity gives in a step is taken by the contact in the next one.
+  const double mass = 0.2 * 0.185 * 0.185, speed = 9.81 * 2e-3;
+  CHECK(simulation.energy().kinetic < 0.25 * 0.5 * mass * speed * speed);
 }
 
 TEST_CASE("self-collision: ten layers come to rest on a plane without crossings") {

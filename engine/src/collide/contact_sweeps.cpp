@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "parallel/sum.h"
 
@@ -35,7 +36,6 @@ ContactSweeps::ContactSweeps(const std::vector<double>& inverse_mass)
     : inverse_mass_(inverse_mass), taken_(inverse_mass.size(), 0), met_place_(inverse_mass.size()) {}
 
 void ContactSweeps::set(const std::vector<SurfaceContact>& contacts) {
-  find_particles(contacts);
   choose_colours(contacts);
   contacts_.resize(contacts.size());
   pushed_.resize(contacts.size());
@@ -134,7 +134,7 @@ std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, double share, double
     ++sweeps;
     for (std::size_t c = 0; c < pushed_.size(); ++c) pushed_[c] |= pushes_[c];
     if (!(asked > enough)) break;
-    choose_active();
+    if (!choose_active()) continue;
     for (std::uint64_t n = 0; n < active_sweeps && sweeps < most; ++n) {
       ++sweeps;
       if (!(sweep(active_, active_begin_, active_pushes_, executor) > enough)) break;
@@ -161,7 +161,10 @@ double ContactSweeps::sweep(std::span<const PackedContact> contacts,
   return largest;
 }
 
-void ContactSweeps::choose_active() {
+/// Those that pushed when all were looked at. Whether they are so much fewer that it pays.
+bool ContactSweeps::choose_active() {
+  const auto pushing = std::accumulate(pushes_.begin(), pushes_.end(), std::size_t{0});
+  if (3 * pushing > 2 * pushes_.size()) return false;
   active_.clear();
   active_begin_.assign(1, 0);
   for (std::size_t colour = 0; colour + 1 < colour_begin_.size(); ++colour) {
@@ -171,6 +174,7 @@ void ContactSweeps::choose_active() {
     active_begin_.push_back(active_.size());
   }
   active_pushes_.resize(active_.size());
+  return true;
 }
 
 std::size_t ContactSweeps::bytes() const {

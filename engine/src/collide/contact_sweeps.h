@@ -47,6 +47,9 @@ class ContactSweeps {
   /// [1/kg] of all particles, 0 of what is not moved.
   explicit ContactSweeps(const std::vector<double>& inverse_mass);
 
+  /// The particles of these contacts, and of more that have no others, are those of the next runs.
+  void find_particles(const std::vector<SurfaceContact>& contacts);
+
   /// The contacts of the next runs. Those none of whose particles can be moved must be left out.
   void set(const std::vector<SurfaceContact>& contacts);
 
@@ -69,14 +72,13 @@ class ContactSweeps {
     void add(const Largest& other) { value = std::max(value, other.value); }
   };
 
-  void find_particles(const std::vector<SurfaceContact>& contacts);
   void choose_colours(const std::vector<SurfaceContact>& contacts);
   PackedContact packed(const SurfaceContact& contact) const;
   void load(const std::vector<Vec3>& values);
   void store(std::vector<Vec3>& values) const;
   double sweep(std::span<const PackedContact> contacts, const std::vector<std::size_t>& colour_begin,
                std::vector<unsigned char>& pushes, Executor& executor);
-  void choose_active();
+  bool choose_active();
 
   const std::vector<double>& inverse_mass_;
   std::vector<PackedContact> contacts_;  ///< colour by colour

@@ -6,8 +6,8 @@
 namespace hooke {
 namespace {
 
-/// Grains that one thread takes at a time.
-constexpr std::size_t grains_in_run = 512;
+/// Groups of grains that one thread takes at a time.
+constexpr std::size_t groups_at_once = 8;
 
 /// Of the smallest radius: the more, the longer pairs hold, and the more of them there are.
 constexpr double margin_of_radius = 0.3;
@@ -60,33 +60,34 @@ void GrainPairs<Real>::find_anew(const State<Real>& state, Executor& executor) {
       boxes_[g].widen(state.position(grains_[g].place).template cast<double>());
       boxes_[g].grow(grains_[g].radius + 0.5 * margin_);
     }
-    grid_.build(boxes_);
-    const std::size_t count = (grains_.size() + grains_in_run - 1) / grains_in_run;
-    runs_.resize(count);
-    executor.parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t run = begin; run < end; ++run) {
-        runs_[run].clear();
-        const std::size_t last = std::min(grains_.size(), (run + 1) * grains_in_run);
-        for (std::size_t g = run * grains_in_run; g < last; ++g) find_at(g, runs_[run]);
+    AxisBox all;
+    for (const AxisBox& box : boxes_) all.widen(box);
+    tree_.build(boxes_, BoxFrame(all), executor);
+    runs_.resize(tree_.groups());
+    executor.parallel_for(runs_.size(), groups_at_once, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t g = begin; g < end; ++g) {
+        runs_[g].found.clear();
+        const std::span<const Index> group = tree_.group(g);
+        tree_.for_each_meeting(tree_, g, runs_[g].near, [&](std::size_t place, Index other) {
+          if (other > group[place]) add_if_near(group[place], other, runs_[g].found);
+        });
       }
     });
-    for (const std::vector<GrainPair>& run : runs_) pairs_.insert(pairs_.end(), run.begin(), run.end());
+    for (const Run& run : runs_) pairs_.insert(pairs_.end(), run.found.begin(), run.found.end());
+    std::sort(pairs_.begin(), pairs_.end());
   }
   list_by_place();
 }
 
 template <class Real>
-void GrainPairs<Real>::find_at(std::size_t grain, std::vector<GrainPair>& found) const {
-  const std::size_t first = found.size();
+void GrainPairs<Real>::add_if_near(std::size_t grain, std::size_t other,
+                                   std::vector<GrainPair>& found) const {
+  const Grain &a = grains_[grain], &b = grains_[other];
+  const double reach = a.radius + b.radius, near = reach + margin_;
   const auto middle = [&](std::size_t g) { return Vec3(0.5 * (boxes_[g].low + boxes_[g].high)); };
-  grid_.for_each_meeting(boxes_[grain], Index(grain) + 1, [&](Index other) {
-    const Grain &a = grains_[grain], &b = grains_[other];
-    const double reach = a.radius + b.radius, near = reach + margin_;
-    if ((middle(grain) - middle(other)).squaredNorm() > near * near) return;
-    if (std::binary_search(apart_.begin(), apart_.end(), std::pair(a.particle, b.particle))) return;
-    found.push_back({a.particle, b.particle, a.place, b.place, reach});
-  });
-  std::sort(found.begin() + std::ptrdiff_t(first), found.end());
+  if ((middle(grain) - middle(other)).squaredNorm() > near * near) return;
+  if (std::binary_search(apart_.begin(), apart_.end(), std::pair(a.particle, b.particle))) return;
+  found.push_back({a.particle, b.particle, a.place, b.place, reach});
 }
 
 template <class Real>
@@ -108,9 +109,9 @@ void GrainPairs<Real>::list_by_place() {
 template <class Real>
 std::size_t GrainPairs<Real>::bytes() const {
   std::size_t found = pairs_.capacity();
-  for (const std::vector<GrainPair>& run : runs_) found += run.capacity();
+  for (const Run& run : runs_) found += run.found.capacity();
   return found * sizeof(GrainPair) + of_.capacity() * sizeof(PairOfGrain) +
-         begin_.capacity() * sizeof(std::size_t) + boxes_.capacity() * sizeof(AxisBox) + grid_.bytes() +
+         begin_.capacity() * sizeof(std::size_t) + boxes_.capacity() * sizeof(AxisBox) + tree_.bytes() +
          bound_.bytes() + grains_.capacity() * sizeof(Grain) + apart_.capacity() * sizeof(apart_[0]);
 }
 

@@ -6,7 +6,7 @@
 #include <hooke/executor.h>
 #include <hooke/index.h>
 
-#include "collide/hash_grid.h"
+#include "collide/box_tree.h"
 #include "collide/motion_bound.h"
 #include "state.h"
 
@@ -60,7 +60,7 @@ class GrainPairs {
 
  private:
   void find_anew(const State<Real>& state, Executor& executor);
-  void find_at(std::size_t grain, std::vector<GrainPair>& found) const;
+  void add_if_near(std::size_t grain, std::size_t other, std::vector<GrainPair>& found) const;
   void list_by_place();
 
   std::vector<Grain> grains_;
@@ -69,8 +69,12 @@ class GrainPairs {
   MotionBound<Real> bound_;
   bool known_ = false;
   std::vector<AxisBox> boxes_;
-  HashGrid grid_;
-  std::vector<std::vector<GrainPair>> runs_;
+  BoxTree tree_;
+  struct Run {
+    std::vector<std::size_t> near;
+    std::vector<GrainPair> found;
+  };
+  std::vector<Run> runs_;
   std::vector<GrainPair> pairs_;
   std::vector<std::size_t> begin_;
   std::vector<PairOfGrain> of_;

@@ -53,8 +53,8 @@ struct Margins {
 /// More pairs than so many times the corners are of cloth that lies on cloth.
 constexpr double crowd = 8.0;
 
-/// Where cloth lies on nothing, pairs are looked for where particles are going to be, so many steps ahead, so that
-/// they hold for longer: as far as uses up this share of the margin.
+/// Where cloth lies on nothing, pairs are looked for where particles are going to be, so many steps ahead, so
+/// that they hold for longer: as far as uses up this share of the margin.
 constexpr double most_ahead = 500.0, least_ahead = 0.2, share_ahead = 0.75;
 
 Places start_of(const Scene& scene, const Order& order) {
@@ -253,8 +253,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// How far particles are moved, at most [m].
   double push(std::vector<SurfaceContact>& contacts, double h, Executor& executor) {
     const std::size_t pairs = contacts.size();
+    sweeps_.find_particles(contacts);
+    add_obstacles(contacts, h);
     sweeps_.set(contacts);
-    if (add_obstacles(contacts, h)) sweeps_.set(contacts);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
     const std::uint64_t sweeps =
@@ -270,8 +271,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return furthest;
   }
 
-  /// What lies on a collider is not pushed into it: it carries what lies on it. Whether there is any.
-  bool add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
+  /// What lies on a collider is not pushed into it: it carries what lies on it.
+  void add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
     obstacle_velocity_.clear();
     for (const Index i : sweeps_.particles()) {
       for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
@@ -286,7 +287,6 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         obstacle_velocity_.push_back(surface.velocity);
       }
     }
-    return !obstacle_velocity_.empty();
   }
 
   /// The contacts that push, for velocities; and with pushes in several rounds, all that touch after them.
@@ -305,6 +305,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// What touches does not approach, and slides as friction lets it.
   void settle(double h, Executor& executor) {
     if (touching_.empty()) return;
+    sweeps_.find_particles(touching_);
     sweeps_.set(touching_);
     const std::uint64_t sweeps =
         sweeps_.run(velocity_, speed_tolerance, speed_tolerance_of_thickness * collision_.thickness / h,
