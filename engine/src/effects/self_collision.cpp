@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "collide/close_pairs.h"
@@ -9,6 +10,7 @@
 #include "collide/motion_bound.h"
 #include "collide/narrow_phase.h"
 #include "collide/obstacles.h"
+#include "collide/untangling.h"
 #include "effects/effect_functions.h"
 #include "effects/immovable.h"
 #include "scene/chosen_triangles.h"
@@ -75,17 +77,17 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         obstacles_(context.scene, context.model.frames.get(), collision.thickness),
         narrow_phase_(collision.thickness, collision.friction, collision.swept),
         sweeps_(inverse_mass_),
-        zones_(inverse_mass_) {}
+        zones_(inverse_mass_) {
+    if (collision.untangle) untangling_.emplace(surface_, inverse_mass_, collision.thickness);
+  }
 
   unsigned parts() const override { return corrects_everything; }
 
   void correct(const StepResult<Real>& result, Executor& executor) override {
-    if (!is_anything_near(result, executor)) return;
-    load(result, executor);
-    const bool touches = push_apart(result, executor);
-    if (!touches) return;
-    if (collision_.swept && pushed_far_) stop_what_crosses(result, executor);
-    store(result, executor);
+    update_pairs(result, executor);
+    const bool is_tangled = is_anything_tangled(result, executor);
+    if (is_tangled || is_anything_near()) keep_apart(result, is_tangled, executor);
+    if (untangling_) count_crossings(result, executor);
   }
 
   void tell(Report& report) override {
@@ -93,6 +95,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     report.contact_sweeps = std::max(report.contact_sweeps, met_with_.contact_sweeps);
     report.impact_zone_particles = std::max(report.impact_zone_particles, met_with_.impact_zone_particles);
     if (met_with_.contacts_left > 0) report.contacts_left = met_with_.contacts_left;
+    report.crossings += crossings_;
     met_with_ = {};
   }
 
@@ -103,7 +106,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
             {"position", "velocity", "mass", "triangles"},
             {"position", "velocity"},
             places * sizeof(Vec3) + (free_mass_.capacity() + inverse_mass_.capacity()) * sizeof(double) +
-                close_pairs_.bytes() + bound_.bytes() + narrow_phase_.bytes() + sweeps_.bytes() +
+                close_pairs_.bytes() + bound_.bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() + sweeps_.bytes() +
                 obstacles_.bytes()};
   }
 
@@ -113,12 +116,51 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// No less than what rounding takes from a bound on motion.
   static constexpr double rounding = 1.0 + 1e-6;
 
-  /// Whether a pair may touch in this step. Pairs are found anew where particles have moved too far since.
-  bool is_anything_near(const StepResult<Real>& result, Executor& executor) {
-    update_pairs(result, executor);
+  void keep_apart(const StepResult<Real>& result, bool is_tangled, Executor& executor) {
+    load(result, executor);
+    if (is_tangled) draw_apart(result, executor);
+    const bool touches = push_apart(result, executor);
+    if (!touches && !is_tangled) return;
+    if (collision_.swept && pushed_far_) stop_what_crosses(result, executor);
+    store(result, executor);
+  }
+
+  /// Whether a pair may touch in this step.
+  bool is_anything_near() const {
     return nearest_ - moved_ <= NarrowPhase::active_distance(collision_.thickness);
   }
 
+  /// Whether anything crosses at the start of the step.
+  bool is_anything_tangled(const StepResult<Real>& result, Executor& executor) {
+    if (!untangling_) return false;
+    if (!untangling_->crossings().none_near()) load(result, executor);
+    return untangling_->look(start_, executor);
+  }
+
+  void draw_apart(const StepResult<Real>& result, Executor& executor) {
+    untangling_->draw_apart(end_, margin_);
+    begin_round(result, executor);
+  }
+
+  void count_crossings(const StepResult<Real>& result, Executor& executor) {
+    update_pairs(result, executor);
+    crossings_ = 0;
+    if (untangling_->crossings().none_near()) return;
+    load(result, executor);
+    crossings_ = untangling_->crossings().find(end_, executor).size();
+  }
+
+  /// Those close pairs that are kept apart.
+  const std::vector<ClosePair>& pairs_kept_apart() {
+    if (!untangling_ || !untangling_->is_tangled()) return *pairs_;
+    kept_apart_.clear();
+    for (const ClosePair& pair : *pairs_) {
+      if (!untangling_->are_entangled(pair)) kept_apart_.push_back(pair);
+    }
+    return kept_apart_;
+  }
+
+  /// Pairs are found anew where particles have moved too far since.
   void update_pairs(const StepResult<Real>& result, Executor& executor) {
     if (pairs_hold_) measure_motion(result, executor);
     if (!pairs_hold_ || !(moved_ <= margin_)) find_pairs(result, executor);
@@ -126,7 +168,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// How far particles have moved against each other at the ends of this step, since pairs were found.
   void measure_motion(const StepResult<Real>& result, Executor& executor) {
-    const State<Real>& start = collision_.swept ? result.start : result.next;
+    const State<Real>& start = collision_.swept || untangling_ ? result.start : result.next;
     moved_ = rounding * bound_.since(start, result.next, margin_ / rounding, executor);
   }
 
@@ -146,6 +188,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     const bool is_fast = !(moved_ <= 0.5 * margin_);
     moved_ = std::min(moved_, rounding * motion);
     pairs_ = &close_pairs_.find(is_fast ? start_ : end_, end_, reach, executor);
+    if (untangling_) untangling_->crossings().look(is_fast ? start_ : end_, end_, reach, executor);
     pairs_hold_ = !is_fast;
     for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
   }
@@ -203,18 +246,21 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// velocities. Whether anything was near.
   bool push_apart(const StepResult<Real>& result, Executor& executor) {
     obstacles_.move_to(result.time, result.h);
+    touching_.clear();
+    left_ = 0, pushed_far_ = false;
     bool touches = false;
     for (int round = 0; round < most_rounds; ++round) {
       if (round > 0) begin_round(result, executor);
       std::vector<SurfaceContact>& contacts =
-          narrow_phase_.contacts_of(*pairs_, step_of(result, executor), executor);
+          narrow_phase_.contacts_of(pairs_kept_apart(), step_of(result, executor), executor);
       if (contacts.empty()) break;
       touches = true;
       pushed_far_ = push(contacts, result.h, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
       choose_touching(contacts, round > 0);
       if (!pushed_far_) break;
     }
-    if (touches) settle(result.h, executor);
+    if (untangling_) touching_.insert(touching_.end(), untangling_->pulls().begin(), untangling_->pulls().end());
+    settle(result.h, executor);
     return touches;
   }
 
@@ -289,7 +335,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     std::size_t crossing = 0;
     for (int round = 0; round < most_zone_rounds; ++round) {
       begin_round(result, executor);
-      const auto& pairs = narrow_phase_.crossing(*pairs_, step_of(result, executor), executor);
+      const auto& pairs = narrow_phase_.crossing(pairs_kept_apart(), step_of(result, executor), executor);
       crossing = pairs.size();
       if (crossing == 0) break;
       for (const ClosePair& pair : pairs) zones_.join(pair.particles);
@@ -314,10 +360,12 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   NarrowPhase narrow_phase_;
   ContactSweeps sweeps_;
   ImpactZones zones_;
+  std::optional<Untangling> untangling_;
+  std::vector<ClosePair> kept_apart_;
   std::vector<SurfaceContact> touching_;
   std::vector<Vec3> obstacle_velocity_;  ///< of the last contacts, which are those with obstacles [m/s]
   Places before_;
-  std::size_t left_ = 0;
+  std::size_t left_ = 0, crossings_ = 0;
   const std::vector<ClosePair> no_pairs_;
   const std::vector<ClosePair>* pairs_ = &no_pairs_;
   bool pairs_hold_ = false, pushed_far_ = false;
