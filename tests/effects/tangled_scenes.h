@@ -3,28 +3,28 @@
 #include <cmath>
 #include <functional>
 
-#include <Eigen/Geometry>
-
 #include <hooke/hooke.h>
 
 #include "sphere_scene.h"
 
-/// Cloth that crosses itself at the start, named after the ends of the curves in which it does (Wicke, Lanker,
-/// Gross 2006): B at a boundary, I in the inside of a piece, L where a fold begins. It is at rest as it is.
+/// Cloth that crosses itself at the start, named after the ends of the curves in which it does (Wicke,
+/// Lanker, Gross 2006): B at a boundary, I in the inside of a piece, L where a fold begins.
 
 namespace hooke::test {
 
 /// A place [m] for coordinates from -1 to 1 along the sides of a sheet.
 using SheetShape = std::function<Vec3(double, double)>;
 
-/// A sheet of 0.4 m for each unit of its coordinates.
+/// The stiffness of bend springs [N/m].
+inline constexpr double bend = 10.0;
+
 inline GridParticles add_shaped_sheet(Scene& scene, Index columns, Index rows, const SheetShape& shape) {
   const GridParticles sheet = add(scene, ClothGrid{.columns = columns,
                                                    .rows = rows,
                                                    .spacing = 0.03,
                                                    .stretch = 1000.0,
                                                    .shear = 500.0,
-                                                   .bend = 10.0,
+                                                   .bend = bend,
                                                    .damping = 0.02});
   for (Index row = 0; row < rows; ++row) {
     for (Index column = 0; column < columns; ++column)
@@ -34,11 +34,14 @@ inline GridParticles add_shaped_sheet(Scene& scene, Index columns, Index rows, c
   return sheet;
 }
 
-inline void rest_as_placed(Scene& scene) {
+/// At rest as it is; or, where `is_flat`, but for bending.
+inline void untangle(Scene& scene, bool is_flat = false) {
   Springs& springs = scene.springs;
-  for (std::size_t s = 0; s < springs.size(); ++s)
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    if (is_flat && springs.stiffness[s] == bend) continue;
     springs.rest_length[s] =
         (scene.particles.position[springs.first[s]] - scene.particles.position[springs.second[s]]).norm();
+  }
   scene.effects.push_back(SelfCollision{.thickness = 0.004, .untangle = true});
 }
 
@@ -60,7 +63,7 @@ inline Scene closed_tangle() {
   add_shaped_sheet(scene, 24, 24, [](double u, double v) {
     return Vec3(0.36 * u, 0.06 - 0.12 * bell(6.0 * (u * u + v * v)), 0.36 * v);
   });
-  rest_as_placed(scene);
+  untangle(scene);
   return scene;
 }
 
@@ -70,9 +73,10 @@ inline Scene eight_tangle() {
   add_shaped_sheet(scene, 32, 24, level_sheet(0.36));
   add_shaped_sheet(scene, 32, 24, [](double u, double v) {
     const double a = u - 0.36, b = u + 0.36;
-    return Vec3(0.46 * u, 0.05 - 0.09 * (bell(9.0 * (a * a + v * v)) + bell(9.0 * (b * b + v * v))), 0.36 * v);
+    return Vec3(0.46 * u, 0.05 - 0.09 * (bell(9.0 * (a * a + v * v)) + bell(9.0 * (b * b + v * v))),
+                0.36 * v);
   });
-  rest_as_placed(scene);
+  untangle(scene);
   return scene;
 }
 
@@ -83,7 +87,7 @@ inline Scene bbii_tangle() {
   add_shaped_sheet(scene, 10, 16, [](double u, double v) {
     return Vec3(0.135 * u + 0.01 * v, 0.225 * v + 0.13, 0.02 * u + 0.017);
   });
-  rest_as_placed(scene);
+  untangle(scene);
   return scene;
 }
 
@@ -92,9 +96,9 @@ inline Scene bibi_tangle() {
   Scene scene;
   add_shaped_sheet(scene, 20, 20, level_sheet(0.3));
   add_shaped_sheet(scene, 20, 20, [](double u, double v) {
-    return Vec3(0.3 * u + 0.45 , 0.29 * v + 0.02 * u + 0.01, 0.02 * v + 0.017 + 0.03 * u);
+    return Vec3(0.3 * u + 0.45, 0.29 * v + 0.02 * u + 0.01, 0.02 * v + 0.017 + 0.03 * u);
   });
-  rest_as_placed(scene);
+  untangle(scene);
   return scene;
 }
 
@@ -105,31 +109,37 @@ inline Scene cross_tangle() {
   add_shaped_sheet(scene, 14, 20, [](double u, double v) {
     return Vec3(0.2 * u + 0.02 * v, 0.29 * v + 0.11, 0.03 * u + 0.017);
   });
-  rest_as_placed(scene);
+  untangle(scene);
   return scene;
 }
 
-/// A sheet in a loop that crosses itself where `height` is above one; it is skewed.
-inline void add_loop(Scene& scene, const std::function<double(double)>& height) {
+/// A sheet with a fold that becomes a loop where `height` is above 1. It is skewed, and at rest where it is
+/// flat.
+inline Scene loop_tangle(const std::function<double(double)>& height) {
+  Scene scene;
   add_shaped_sheet(scene, 40, 24, [&](double u, double v) {
     const double bump = bell(u * u / 0.16);
     return Vec3(0.6 * u * (1.0 - height(v) * bump), 0.2 * height(v) * bump + 0.004 * u, 0.36 * v + 0.1 * u);
   });
+  untangle(scene, true);
+  return scene;
 }
 
 /// A loop in the middle of a sheet.
 inline Scene ll_tangle() {
-  Scene scene;
-  add_loop(scene, [](double v) { return 1.35 * bell(v * v); });
-  rest_as_placed(scene);
-  return scene;
+  return loop_tangle([](double v) { return 1.2 * bell(v * v); });
 }
 
 /// A loop that reaches the side of a sheet.
 inline Scene bli_tangle() {
-  Scene scene;
-  add_loop(scene, [](double v) { return 1.0 + 0.35 * v; });
-  rest_as_placed(scene);
+  return loop_tangle([](double v) { return 1.0 + 0.2 * v; });
+}
+
+/// A larger loop that nothing opens: the sheet is at rest as it is.
+inline Scene large_loop_tangle() {
+  Scene scene = loop_tangle([](double v) { return 1.35 * bell(v * v); });
+  scene.effects.clear();
+  untangle(scene);
   return scene;
 }
 
@@ -140,10 +150,11 @@ inline Scene two_balls() {
     const Scene ball = sphere_scene(3, 0.2, 0.0);
     ClothMesh mesh;
     mesh.triangles = ball.triangles;
-    for (const Vec3& x : ball.particles.position) mesh.vertices.push_back(x + Vec3(0.16 * side, 0.003, 0.001));
+    for (const Vec3& x : ball.particles.position)
+      mesh.vertices.push_back(x + Vec3(0.16, 0.003, 0.0017) * side);
     add(scene, mesh);
   }
-  rest_as_placed(scene);
+  untangle(scene);
   return scene;
 }
 

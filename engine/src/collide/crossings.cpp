@@ -1,6 +1,7 @@
 #include "collide/crossings.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "collide/edge_crossing.h"
@@ -22,17 +23,29 @@ double turn(const Places& x, Edge first, Edge second) {
   return sign * (volume == 0.0 ? std::numeric_limits<double>::denorm_min() : volume);
 }
 
+/// Six times the volume over a triangle, positive in front of it; of what lies in its plane, up to rounding,
+/// too.
+double height_over(const Places& x, const Triangle& triangle, Index particle) {
+  const auto& [a, b, c] = triangle;
+  const double volume = orientation(x[a], x[b], x[c], x[particle]);
+  const double size = (x[b] - x[a]).norm() + (x[c] - x[a]).norm() + (x[particle] - x[a]).norm();
+  const double rounding = 1e-14 * size * size * size;
+  return volume > -rounding ? std::max(volume, rounding) : volume;
+}
+
 std::optional<Crossing> crossing_of(const Surface& surface, Index edge, Index triangle, const Places& x) {
   const auto [p, q] = surface.edges[edge];
   const auto& [a, b, c] = surface.triangles[triangle];
-  const double before = orientation(x[a], x[b], x[c], x[p]), after = orientation(x[a], x[b], x[c], x[q]);
-  if ((before >= 0.0) == (after >= 0.0)) return {};
+  const double before = height_over(x, surface.triangles[triangle], p),
+               after = height_over(x, surface.triangles[triangle], q);
+  if ((before > 0.0) == (after > 0.0)) return {};
   const std::array<double, 3> turns{turn(x, {p, q}, {b, c}), turn(x, {p, q}, {c, a}),
                                     turn(x, {p, q}, {a, b})};
   const bool left = turns[0] > 0.0;
   if ((turns[1] > 0.0) != left || (turns[2] > 0.0) != left) return {};
   const double sum = turns[0] + turns[1] + turns[2];
-  return Crossing{edge, triangle, before / (before - after), {turns[0] / sum, turns[1] / sum, turns[2] / sum}};
+  return Crossing{
+      edge, triangle, before / (before - after), {turns[0] / sum, turns[1] / sum, turns[2] / sum}};
 }
 
 bool share_a_particle(const Edge& edge, const Triangle& triangle) {

@@ -18,8 +18,8 @@ struct Crossing {
   std::array<double, 3> weights;  ///< of the triangle's corners, there; they sum to 1
 };
 
-/// Finds where a surface crosses itself. What lies in the plane of a triangle counts as in front of it, and
-/// what meets one of its sides as beside that on the same side for both of its triangles: so curves of
+/// Finds where a surface crosses itself. What lies in the plane of a triangle, up to rounding, counts as in
+/// front of it, and what meets an edge passes it on the same side for both of its triangles: so curves of
 /// crossings have no gaps.
 class Crossings {
  public:
@@ -32,7 +32,8 @@ class Crossings {
   /// Whether there is nothing to test.
   bool none_near() const { return near_.empty(); }
 
-  /// All crossings, sorted by edge and triangle; the same on any number of threads. Valid until the next call.
+  /// All crossings, sorted by edge and triangle; the same on any number of threads. Valid until the next
+  /// call.
   const std::vector<Crossing>& find(const Places& places, Executor& executor);
 
   std::size_t bytes() const;

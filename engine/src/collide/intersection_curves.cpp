@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
 
 namespace hooke {
 namespace {
@@ -28,7 +29,8 @@ IntersectionCurves::IntersectionCurves(const Surface& surface) : surface_(surfac
   std::vector<std::pair<Index, Index>> sides;
   for (Index t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
-    for (const auto& [p, q] : {Edge(a, b), Edge(b, c), Edge(c, a)}) sides.emplace_back(number_of(p, q, surface), t);
+    for (const auto& [p, q] : {Edge(a, b), Edge(b, c), Edge(c, a)})
+      sides.emplace_back(number_of(p, q, surface), t);
   }
   std::sort(sides.begin(), sides.end());
   for (const auto& [edge, triangle] : sides) ++triangles_begin_[edge + 1], triangles_.push_back(triangle);
@@ -86,7 +88,8 @@ void IntersectionCurves::join_crossings(const std::vector<Crossing>& crossings, 
   std::sort(joined_.begin(), joined_.end());
 }
 
-void IntersectionCurves::join(Index a, Index b, const std::vector<Crossing>& crossings, const Places& places) {
+void IntersectionCurves::join(Index a, Index b, const std::vector<Crossing>& crossings,
+                              const Places& places) {
   joined_.emplace_back(a, b), joined_.emplace_back(b, a);
   const Vec3 way = place_of(crossings[b], surface_, places) - place_of(crossings[a], surface_, places);
   places_[a].onwards += way.stableNormalized();
@@ -100,6 +103,7 @@ void IntersectionCurves::end_at_common_corner(const Link& link, const std::vecto
     if (std::find(other.begin(), other.end(), corner) == other.end()) continue;
     const Vec3 way = places[corner] - place_of(crossings[link.crossing], surface_, places);
     places_[link.crossing].onwards += way.stableNormalized();
+    places_[link.crossing].corner = corner;
     return;
   }
 }
@@ -140,16 +144,20 @@ void IntersectionCurves::fill_regions(const std::vector<Crossing>& crossings) {
   }
 }
 
-void IntersectionCurves::fill_regions_of(std::span<const Index> curve, const std::vector<Crossing>& crossings) {
+void IntersectionCurves::fill_regions_of(std::span<const Index> curve,
+                                         const std::vector<Crossing>& crossings) {
   parts_begin_.assign(1, 0);
   filled_.clear();
-  for (const Index c : curve) is_cut_[crossings[c].edge] = 1;
+  for (const Index c : curve) {
+    is_cut_[crossings[c].edge] = 1;
+    if (places_[c].corner != none) part_[places_[c].corner] = on_curve;
+  }
   const auto size_of = [&](Index part) { return parts_begin_[part + 1] - parts_begin_[part]; };
   std::vector<std::pair<Index, unsigned>> cut_off;
   for (const Index c : curve) {
     const auto [a, b] = surface_.edges[crossings[c].edge];
     const Index at_a = part_of(a), at_b = part_of(b);
-    if (at_a == at_b) continue;
+    if (at_a == at_b || at_a == on_curve || at_b == on_curve) continue;
     const bool is_a = std::pair(size_of(at_a), at_a) < std::pair(size_of(at_b), at_b);
     places_[c].inside = is_a ? a : b;
     cut_off.emplace_back(is_a ? at_a : at_b, places_[c].side);
@@ -160,7 +168,10 @@ void IntersectionCurves::fill_regions_of(std::span<const Index> curve, const std
     for (std::size_t i = parts_begin_[part]; i < parts_begin_[part + 1]; ++i)
       add(filled_[i], places_[curve[0]].curve, side);
   }
-  for (const Index c : curve) is_cut_[crossings[c].edge] = 0;
+  for (const Index c : curve) {
+    is_cut_[crossings[c].edge] = 0;
+    if (places_[c].corner != none) part_[places_[c].corner] = none;
+  }
   for (const Index particle : filled_) part_[particle] = none;
 }
 
@@ -188,7 +199,8 @@ void IntersectionCurves::add_at_curve(const std::vector<Crossing>& crossings) {
     for (const Index t : triangles_at(crossings[c].edge)) {
       for (const Index corner : surface_.triangles[t]) add(corner, place.curve, place.side);
     }
-    for (const Index corner : surface_.triangles[crossings[c].triangle]) add(corner, place.curve, 1 - place.side);
+    for (const Index corner : surface_.triangles[crossings[c].triangle])
+      add(corner, place.curve, 1 - place.side);
   }
 }
 

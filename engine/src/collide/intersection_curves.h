@@ -18,8 +18,9 @@ class IntersectionCurves {
   /// What a curve says of a crossing.
   struct Place {
     Index curve = none;
-    unsigned side = 0;       ///< of the curve, 0 or 1, that the edge is on; the triangle is on the other
-    Index inside = none;     ///< the end of the edge in a region that the curve cuts off
+    unsigned side = 0;    ///< of the curve, 0 or 1, that the edge is on; the triangle is on the other
+    Index inside = none;  ///< the end of the edge in a region that the curve cuts off
+    Index corner = none;  ///< in which the curve ends: the two triangles share it, and its sides meet there
     Vec3 onwards = Vec3::Zero();  ///< the unit vectors to the next places of the curve, summed
   };
 
@@ -34,7 +35,7 @@ class IntersectionCurves {
   std::size_t bytes() const;
 
  private:
-  static constexpr Index none = ~Index{0};
+  static constexpr Index none = ~Index{0}, on_curve = none - 1;
 
   /// A particle on sides of a curve, as bits.
   struct Entangled {
@@ -59,14 +60,16 @@ class IntersectionCurves {
   void fill_regions_of(std::span<const Index> curve, const std::vector<Crossing>& crossings);
   Index part_of(Index particle);
   void add_at_curve(const std::vector<Crossing>& crossings);
-  void add(Index particle, Index curve, unsigned side) { entangled_.push_back({particle, curve, 1u << side}); }
+  void add(Index particle, Index curve, unsigned side) {
+    entangled_.push_back({particle, curve, 1u << side});
+  }
   void sort_entangled();
   std::span<const Entangled> entangled(Index particle) const;
 
   const Surface& surface_;
-  std::vector<Index> triangles_;           ///< of each edge
+  std::vector<Index> triangles_;  ///< of each edge
   std::vector<std::size_t> triangles_begin_;
-  std::vector<Neighbour> neighbours_;      ///< of each particle
+  std::vector<Neighbour> neighbours_;  ///< of each particle
   std::vector<std::size_t> neighbours_begin_;
   std::vector<Place> places_;
   std::vector<Link> links_;
@@ -74,9 +77,9 @@ class IntersectionCurves {
   std::vector<Entangled> entangled_;
   std::vector<std::size_t> entangled_begin_;
   // Of the curve whose regions are being filled:
-  std::vector<unsigned char> is_cut_;      ///< of each edge
-  std::vector<Index> part_;                ///< of each particle
-  std::vector<std::size_t> parts_begin_;   ///< of each part, in `filled_`; one more than there are parts
+  std::vector<unsigned char> is_cut_;     ///< of each edge
+  std::vector<Index> part_;               ///< of each particle; on_curve where the curve ends in it
+  std::vector<std::size_t> parts_begin_;  ///< of each part, in `filled_`; one more than there are parts
   std::vector<Index> filled_;
 };
 

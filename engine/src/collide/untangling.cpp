@@ -1,6 +1,7 @@
 #include "collide/untangling.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
@@ -60,11 +61,12 @@ SurfaceContact Untangling::pull_of(const Crossing& crossing, const IntersectionC
   return pull;
 }
 
-void Untangling::draw_apart(Places& places, double furthest) {
+const Places& Untangling::draw_apart(Places& places, double furthest) {
   for (SurfaceContact& pull : pulls_) pull.least = std::min(pull.least, furthest);
   const Places& move = move_.solve(pulls_);
   for (const Index i : surface_.corners) places[i] += move[i];
   for (SurfaceContact& pull : pulls_) pull.least = 0.0;
+  return move;
 }
 
 }  // namespace hooke

@@ -34,9 +34,9 @@ class Untangling {
   /// Whether a pair may pass for now.
   bool are_entangled(const ClosePair& pair) const { return curves_.are_entangled(pair); }
 
-  /// Moves what is entangled back a part of its way; no piece of it further against the other than so much
-  /// [m], and than a step can bear.
-  void draw_apart(Places& places, double furthest);
+  /// Moves what is entangled back a part of its way: at each crossing so far [m], at most, and the cloth
+  /// around with it. Returns the moves, which are valid until the next call.
+  const Places& draw_apart(Places& places, double furthest);
 
   /// What may not approach any more, for velocities: one for each crossing that can be moved.
   const std::vector<SurfaceContact>& pulls() const { return pulls_; }

@@ -76,7 +76,8 @@ const Places& UntanglingMove::solve(const std::vector<SurfaceContact>& pulls) {
   for (const SurfaceContact& pull : pulls) {
     for (std::size_t k = 0; k < 4; ++k) {
       if (inverse_mass_[pull.particles[k]] > 0.0)
-        residual_[pull.particles[k]] += pull.weights[k] * weight_of_lack * mean_mass_ * pull.least * pull.normal;
+        residual_[pull.particles[k]] +=
+            pull.weights[k] * weight_of_lack * mean_mass_ * pull.least * pull.normal;
     }
   }
   const auto precondition = [&] {

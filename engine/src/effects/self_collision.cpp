@@ -56,6 +56,9 @@ Surface surface_of(const SelfCollision& collision, const Scene& scene, const Ord
   return Surface(std::move(triangles));
 }
 
+/// What crosses is drawn apart so fast, and by no more than a margin in a step.
+constexpr double drawn_margins_per_second = 60.0;
+
 /// What is so many margins away counts as far, and may move so much before pairs are found anew.
 constexpr double far_margins = 16.0;
 
@@ -106,8 +109,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
             {"position", "velocity", "mass", "triangles"},
             {"position", "velocity"},
             places * sizeof(Vec3) + (free_mass_.capacity() + inverse_mass_.capacity()) * sizeof(double) +
-                close_pairs_.bytes() + bound_.bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() + sweeps_.bytes() +
-                obstacles_.bytes()};
+                close_pairs_.bytes() + bound_.bytes() + (untangling_ ? untangling_->bytes() : 0) +
+                narrow_phase_.bytes() + sweeps_.bytes() + obstacles_.bytes()};
   }
 
  private:
@@ -138,8 +141,20 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   void draw_apart(const StepResult<Real>& result, Executor& executor) {
-    untangling_->draw_apart(end_, margin_);
+    const double share = std::min(1.0, drawn_margins_per_second * result.h);
+    const Places& moves = untangling_->draw_apart(end_, margin_ * share);
+    obstacles_.move_to(result.time, result.h);
+    for (const Index i : surface_.corners) keep_out_of_obstacles(i, moves[i]);
     begin_round(result, executor);
+  }
+
+  /// Takes back as much of a particle's move as went into colliders.
+  void keep_out_of_obstacles(Index i, const Vec3& move) {
+    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
+      const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
+      const double inwards = -move.dot(surface.outwards);
+      if (surface.gap < 0.0 && inwards > 0.0) end_[i] += std::min(-surface.gap, inwards) * surface.outwards;
+    }
   }
 
   void count_crossings(const StepResult<Real>& result, Executor& executor) {
@@ -259,7 +274,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       choose_touching(contacts, round > 0);
       if (!pushed_far_) break;
     }
-    if (untangling_) touching_.insert(touching_.end(), untangling_->pulls().begin(), untangling_->pulls().end());
+    if (untangling_)
+      touching_.insert(touching_.end(), untangling_->pulls().begin(), untangling_->pulls().end());
     settle(result.h, executor);
     return touches;
   }
