@@ -199,12 +199,16 @@ class Colliders final : public CompiledEffect<Real> {
   void let_go(const StepResult<Real>& result, const Bounds<Real>& box, std::size_t block,
               std::uint16_t lanes) const {
     Pinch<Real> pinch(block_of(result, block), lanes);
-    for (int round = 0; round < Pinch<Real>::rounds && pinch.is_any_left(); ++round) {
+    for (int round = 0; round < Pinch<Real>::most_rounds && pinch.is_any_left(); ++round) {
       pinch.begin_round();
       for_each_near(result, box, [&](const Contact<Real>& contact) { pinch.push(contact); });
       pinch.end_round();
+      if (round > 0 || !pinch.is_any_left()) continue;
+      pinch.begin_look();
+      for_each_near(result, box, [&](const Contact<Real>& contact) { pinch.look(contact); });
+      pinch.carry_pinched();
     }
-    pinch.carry_pinched();
+    pinch.carry_left();
     repack(result.next, block * block_size, pinch.lanes());
   }
 
