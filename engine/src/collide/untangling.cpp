@@ -11,11 +11,6 @@ namespace {
 /// An edge that is nearly in the plane of the triangle that it crosses would have to move far along it.
 constexpr double least_slope = 0.1;
 
-bool can_be_moved(const SurfaceContact& pull, const std::vector<double>& inverse_mass) {
-  return std::any_of(pull.particles.begin(), pull.particles.end(),
-                     [&](Index particle) { return inverse_mass[particle] > 0.0; });
-}
-
 }  // namespace
 
 bool Untangling::look(const Places& places, Executor& executor) {

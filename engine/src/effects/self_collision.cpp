@@ -76,6 +76,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         bound_(surface_.corners),
         free_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         inverse_mass_(free_mass_),
+        is_pinched_(free_mass_.size(), 0),
         scripted_(scripted_times(context.scene, context.model.order)),
         obstacles_(context.scene, context.model.frames.get(), collision.thickness),
         narrow_phase_(collision.thickness, collision.friction, collision.swept),
@@ -121,6 +122,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   void keep_apart(const StepResult<Real>& result, bool is_tangled, Executor& executor) {
     load(result, executor);
+    let_all_go(result);
     if (is_tangled) draw_apart(result, executor);
     const bool touches = push_apart(result, executor);
     if (!touches && !is_tangled) return;
@@ -136,14 +138,15 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// Whether anything crosses at the start of the step.
   bool is_anything_tangled(const StepResult<Real>& result, Executor& executor) {
     if (!untangling_) return false;
-    if (!untangling_->crossings().none_near()) load(result, executor);
+    if (!untangling_->crossings().none_near()) load(result, executor), let_all_go(result);
     return untangling_->look(start_, executor);
   }
 
   void draw_apart(const StepResult<Real>& result, Executor& executor) {
     const double share = std::min(1.0, drawn_margins_per_second * result.h);
-    const Places& moves = untangling_->draw_apart(end_, margin_ * share);
     obstacles_.move_to(result.time, result.h);
+    for (const Index i : surface_.corners) hold_if_pinched(i);
+    const Places& moves = untangling_->draw_apart(end_, margin_ * share);
     for (const Index i : surface_.corners) keep_out_of_obstacles(i, moves[i]);
     begin_round(result, executor);
   }
@@ -232,8 +235,15 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       start_[i] = result.start.position(i).template cast<double>();
       end_[i] = result.next.position(i).template cast<double>();
       velocity_[i] = result.next.velocity(i).template cast<double>();
-      inverse_mass_[i] = free_mass_[i];
     });
+  }
+
+  /// At the start of a step nothing is known to be pinched.
+  void let_all_go(const StepResult<Real>& result) {
+    for (const Index i : surface_.corners) {
+      inverse_mass_[i] = free_mass_[i];
+      is_pinched_[i] = 0;
+    }
     for (const ScriptedTime& script : scripted_) {
       if (script.holds_at(result.time)) inverse_mass_[script.particle] = 0.0;
     }
@@ -274,17 +284,16 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       choose_touching(contacts, round > 0);
       if (!pushed_far_) break;
     }
-    if (untangling_)
-      touching_.insert(touching_.end(), untangling_->pulls().begin(), untangling_->pulls().end());
+    if (untangling_) add_pulls();
     settle(result.h, executor);
     return touches;
   }
 
   /// How far particles are moved, at most [m].
   double push(std::vector<SurfaceContact>& contacts, double h, Executor& executor) {
-    const std::size_t pairs = contacts.size();
     sweeps_.set(contacts);
-    if (add_obstacles(contacts, h)) sweeps_.set(contacts);
+    const std::size_t pairs = add_obstacles(contacts, h);
+    if (obstacles_.size() > 0) sweeps_.set(contacts);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
     const std::uint64_t sweeps =
@@ -300,13 +309,18 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return furthest;
   }
 
-  /// What lies on a collider is not pushed into it: it carries what lies on it. Whether there is any.
-  bool add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
+  /// What lies on a collider is not pushed into it: it carries what lies on it. What is pinched is not moved;
+  /// returns how many contacts of pairs there are then.
+  std::size_t add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
     obstacle_velocity_.clear();
+    const auto pairs = std::ptrdiff_t(contacts.size());
     for (const Index i : sweeps_.particles()) {
+      const auto others = std::ptrdiff_t(contacts.size());
+      std::size_t deep_in = 0;
       for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
         const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
         if (!(surface.gap < collision_.thickness)) continue;
+        deep_in += is_deep(surface) ? 1 : 0;
         contacts.push_back({{i, i, i, i},
                             {1.0, 0.0, 0.0, 0.0},
                             surface.outwards,
@@ -315,8 +329,60 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
                             surface.friction});
         obstacle_velocity_.push_back(surface.velocity);
       }
+      if (deep_in < 2) continue;
+      hold(i);
+      contacts.erase(contacts.begin() + others, contacts.end());
+      obstacle_velocity_.resize(std::size_t(others - pairs));
     }
-    return !obstacle_velocity_.empty();
+    const std::vector<SurfaceContact> obstacles(contacts.begin() + pairs, contacts.end());
+    const auto left =
+        std::remove_if(contacts.begin(), contacts.begin() + pairs, [&](const SurfaceContact& contact) {
+          return takes_pinched(contact) || is_squeezed(contact, obstacles);
+        });
+    const auto count = std::size_t(left - contacts.begin());
+    contacts.erase(left, contacts.begin() + pairs);
+    return count;
+  }
+
+  /// Whether two pieces are so near that there is no room for both between solids that they lie on: these
+  /// hold each against the push of the other.
+  bool is_squeezed(const SurfaceContact& contact, const std::vector<SurfaceContact>& obstacles) const {
+    if (!(contact.gap(end_) < 0.0)) return false;
+    const auto is_held = [&](double side) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (!(side * contact.weights[k] > 0.0)) continue;
+        auto on = std::lower_bound(
+            obstacles.begin(), obstacles.end(), contact.particles[k],
+            [](const SurfaceContact& a, Index particle) { return a.particles[0] < particle; });
+        for (; on != obstacles.end() && on->particles[0] == contact.particles[k]; ++on) {
+          if (side * contact.normal.dot(on->normal) < -0.5) return true;
+        }
+      }
+      return false;
+    };
+    return is_held(1.0) && is_held(-1.0);
+  }
+
+  /// What is so deep in several solids is pinched: colliders leave it there.
+  bool is_deep(const ObstacleSurface& surface) const { return surface.gap < -0.01 * collision_.thickness; }
+
+  void hold(Index pinched) {
+    inverse_mass_[pinched] = 0.0;
+    is_pinched_[pinched] = 1;
+  }
+
+  bool takes_pinched(const SurfaceContact& contact) const {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (contact.weights[k] != 0.0 && is_pinched_[contact.particles[k]] != 0) return true;
+    }
+    return false;
+  }
+
+  void hold_if_pinched(Index i) {
+    std::size_t deep_in = 0;
+    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o)
+      deep_in += is_deep(obstacles_.seen_from(end_[i], o)) ? 1 : 0;
+    if (deep_in > 1) hold(i);
   }
 
   /// The contacts that push, for velocities; and with pushes in several rounds, all that touch after them.
@@ -329,6 +395,13 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       touching_.push_back(contacts[c]);
       touching_.back().held = c < pairs ? Vec3::Zero().eval() : obstacle_velocity_[c - pairs];
       touching_.back().least = touching_.back().normal.dot(touching_.back().held);
+    }
+  }
+
+  /// What crosses does not go further in.
+  void add_pulls() {
+    for (const SurfaceContact& pull : untangling_->pulls()) {
+      if (!takes_pinched(pull)) touching_.push_back(pull);
     }
   }
 
@@ -371,6 +444,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   ClosePairs close_pairs_;
   MotionBound<Real> bound_;
   std::vector<double> free_mass_, inverse_mass_;
+  std::vector<unsigned char> is_pinched_;  ///< of each particle in this step
   std::vector<ScriptedTime> scripted_;
   Obstacles obstacles_;
   NarrowPhase narrow_phase_;
