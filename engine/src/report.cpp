@@ -77,6 +77,9 @@ std::string Report::message() const {
   } else if (flags & flag_oscillations_grow) {
     out << "the method lets undamped oscillations grow, however short its step; use symplectic_euler, or "
            "damping and hooke check";
+  } else if (crossings > 0) {
+    out << "after step " << step << " (time " << time << " s) cloth crosses cloth at " << crossings
+        << " places, where it is being untangled; take more steps";
   }
   return out.str();
 }

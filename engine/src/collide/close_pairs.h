@@ -52,6 +52,10 @@ class ClosePairs {
   const std::vector<ClosePair>& find(const Places& start, const Places& end, double reach,
                                      Executor& executor);
 
+  /// Boxes around all edges and triangles on these ways, which meet where they get within the reach.
+  const BoxTree& edge_boxes() const { return edges_; }
+  const BoxTree& triangle_boxes() const { return triangles_; }
+
   std::size_t bytes() const;
 
  private:

@@ -32,6 +32,13 @@ void for_each_moved(const SurfaceContact& contact, const std::vector<double>& in
 
 }  // namespace
 
+bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inverse_mass) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (contact.weights[k] != 0.0 && inverse_mass[contact.particles[k]] > 0.0) return true;
+  }
+  return false;
+}
+
 ContactSweeps::ContactSweeps(const std::vector<double>& inverse_mass)
     : inverse_mass_(inverse_mass), taken_(inverse_mass.size(), 0), met_place_(inverse_mass.size()) {}
 

@@ -33,6 +33,9 @@ struct SurfaceContact {
   double gap(const std::vector<Vec3>& values) const { return normal.dot(sum(values)) - least; }
 };
 
+/// Whether a contact has a particle that can be moved.
+bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inverse_mass);
+
 /// Sweeps over contacts, of which each moves its particles so that it is kept, the lighter more (Bridson,
 /// Fedkiw, Anderson 2002; relaxed projections onto half spaces, Gubin, Polyak, Raik 1967): no move leads away
 /// from the states that keep all, and for velocities none adds kinetic energy, however early sweeps end.

@@ -18,13 +18,6 @@ constexpr double recovery = 0.2;
 /// last bit of its way were contact, friction could not hold it.
 constexpr double skin = 0.01;
 
-bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inverse_mass) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (contact.weights[k] != 0.0 && inverse_mass[contact.particles[k]] > 0.0) return true;
-  }
-  return false;
-}
-
 /// When a pair first comes as near as a share of its thickness, or of its distance at the start where that is
 /// less; 1 where it does not, or crosses at the start already.
 double time_of_touch(const ClosePair& pair, const PairPlaces& start, const PairPlaces& end,

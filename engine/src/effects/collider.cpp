@@ -4,6 +4,7 @@
 #include <string>
 
 #include "collide/mesh_checks.h"
+#include "collide/pinch.h"
 #include "collide/pose_of.h"
 #include "collide/strip_bounds.h"
 #include "effects/effect_functions.h"
@@ -62,10 +63,14 @@ class Colliders final : public CompiledEffect<Real> {
   void correct_strip(const StepResult<Real>& result, std::size_t begin, std::size_t end) const override {
     for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
       const Bounds<Real> box = bounds_of(result.start, result.next, first, last);
-      for (std::size_t s = next_meeting(bounds_, box, 0); s < bounds_.size();
-           s = next_meeting(bounds_, box, s + 1))
-        resolve_strip(contacts_[s], result, box, first, last);
-      for (const Solid<Real>& solid : moving_) meet(solid, result, box, first, last);
+      PushedLanes pushed;
+      for_each_near(result, box, [&](const Contact<Real>& contact) {
+        for (std::size_t block = first; block < last; ++block)
+          pushed.add(block - first, resolve_block(contact, result, block));
+      });
+      for (std::size_t block = first; block < last; ++block) {
+        if (pushed.again[block - first] != 0) let_go(result, box, block, pushed.again[block - first]);
+      }
     });
   }
 
@@ -150,30 +155,61 @@ class Colliders final : public CompiledEffect<Real> {
     return contact;
   }
 
-  /// One that moves, where its way in the step comes near a strip.
-  void meet(const Solid<Real>& solid, const StepResult<Real>& result, const Bounds<Real>& box,
-            std::size_t first, std::size_t last) const {
-    const double before = result.time - result.h;
-    const Vec3 from = solid.motion->origin(before), to = solid.motion->origin(result.time);
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      if (std::min(from[k], to[k]) - solid.reach > double(box.high[k])) return;
-      if (std::max(from[k], to[k]) + solid.reach < double(box.low[k])) return;
+  /// Calls visit(contact) for each collider that may touch something in the box around a strip.
+  template <class Visit>
+  void for_each_near(const StepResult<Real>& result, const Bounds<Real>& box, const Visit& visit) const {
+    for (std::size_t s = next_meeting(bounds_, box, 0); s < bounds_.size();
+         s = next_meeting(bounds_, box, s + 1)) {
+      if (!is_clear_of(contacts_[s], box)) visit(contacts_[s]);
     }
-    resolve_strip(contact_of(solid, before, result.time, result.h), result, box, first, last);
+    for (const Solid<Real>& solid : moving_) {
+      if (!comes_near(solid, result, box)) continue;
+      const Contact<Real> contact = contact_of(solid, result.time - result.h, result.time, result.h);
+      if (!is_clear_of(contact, box)) visit(contact);
+    }
   }
 
-  void resolve_strip(const Contact<Real>& contact, const StepResult<Real>& result, const Bounds<Real>& box,
-                     std::size_t first, std::size_t last) const {
-    if (is_clear_of(contact, box)) return;
+  /// Whether one that moves may meet a box on its way in the step.
+  static bool comes_near(const Solid<Real>& solid, const StepResult<Real>& result, const Bounds<Real>& box) {
+    const Vec3 from = solid.motion->origin(result.time - result.h), to = solid.motion->origin(result.time);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      if (std::min(from[k], to[k]) - solid.reach > double(box.high[k])) return false;
+      if (std::max(from[k], to[k]) + solid.reach < double(box.low[k])) return false;
+    }
+    return true;
+  }
+
+  ContactBlock<Real> block_of(const StepResult<Real>& result, std::size_t block) const {
     State<Real>& next = result.next;
     const State<Real>& start = result.start;
-    for (std::size_t block = first; block < last; ++block) {
-      const std::size_t i = block * block_size;
-      const std::uint16_t touched = resolve(
-          contact, {next.x() + i, next.y() + i, next.z() + i, next.vx() + i, next.vy() + i, next.vz() + i,
-                    start.x() + i, start.y() + i, start.z() + i, free_[block], Real(result.h), block});
-      if (touched != 0) repack(next, i, touched);
+    const std::size_t i = block * block_size;
+    return {next.x() + i,  next.y() + i,  next.z() + i,  next.vx() + i, next.vy() + i,  next.vz() + i,
+            start.x() + i, start.y() + i, start.z() + i, free_[block],  Real(result.h), block};
+  }
+
+  /// Returns which particles it has pushed.
+  std::uint16_t resolve_block(const Contact<Real>& contact, const StepResult<Real>& result,
+                              std::size_t block) const {
+    const std::uint16_t touched = resolve(contact, block_of(result, block));
+    if (touched != 0) repack(result.next, block * block_size, touched);
+    return touched;
+  }
+
+  /// Finds places for particles that several solids have pushed.
+  void let_go(const StepResult<Real>& result, const Bounds<Real>& box, std::size_t block,
+              std::uint16_t lanes) const {
+    Pinch<Real> pinch(block_of(result, block), lanes);
+    for (int round = 0; round < Pinch<Real>::most_rounds && pinch.is_any_left(); ++round) {
+      pinch.begin_round();
+      for_each_near(result, box, [&](const Contact<Real>& contact) { pinch.push(contact); });
+      pinch.end_round();
+      if (round > 0 || !pinch.is_any_left()) continue;
+      pinch.begin_look();
+      for_each_near(result, box, [&](const Contact<Real>& contact) { pinch.look(contact); });
+      pinch.carry_pinched();
     }
+    pinch.carry_left();
+    repack(result.next, block * block_size, pinch.lanes());
   }
 
   /// Writes the packed copies of what has changed.

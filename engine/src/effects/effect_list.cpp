@@ -137,6 +137,9 @@ std::vector<Stage> EffectList<Real>::correction_stages() const {
 
 bool does_unknown_work_in(const Scene& scene) {
   return std::any_of(scene.effects.begin(), scene.effects.end(), [](const Effect& effect) {
+    // What crosses is drawn apart against its springs.
+    const auto* collision = std::get_if<SelfCollision>(&effect);
+    if (collision != nullptr && collision->untangle) return true;
     return std::visit([]<class Data>(const Data&) { return does_unknown_work<Data>; }, effect);
   });
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "collide/close_pairs.h"
@@ -9,6 +10,7 @@
 #include "collide/motion_bound.h"
 #include "collide/narrow_phase.h"
 #include "collide/obstacles.h"
+#include "collide/untangling.h"
 #include "effects/effect_functions.h"
 #include "effects/immovable.h"
 #include "scene/chosen_triangles.h"
@@ -71,6 +73,9 @@ Surface surface_of(const SelfCollision& collision, const Scene& scene, const Ord
   return Surface(std::move(triangles));
 }
 
+/// What crosses is drawn apart so fast, and by no more than a margin in a step.
+constexpr double drawn_margins_per_second = 60.0;
+
 /// What is so many margins away counts as far, and may move so much before pairs are found anew.
 constexpr double far_margins = 16.0;
 
@@ -90,21 +95,22 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         bound_(surface_.corners),
         free_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         inverse_mass_(free_mass_),
+        is_pinched_(free_mass_.size(), 0),
         scripted_(scripted_times(context.scene, context.model.order)),
         obstacles_(context.scene, context.model.frames.get(), collision.thickness),
         narrow_phase_(collision.thickness, collision.friction, collision.swept),
         sweeps_(inverse_mass_),
-        zones_(inverse_mass_) {}
+        zones_(inverse_mass_) {
+    if (collision.untangle) untangling_.emplace(surface_, inverse_mass_, collision.thickness);
+  }
 
   unsigned parts() const override { return corrects_everything; }
 
   void correct(const StepResult<Real>& result, Executor& executor) override {
-    if (!is_anything_near(result, executor)) return;
-    load(result, executor);
-    const bool touches = push_apart(result, executor);
-    if (!touches) return;
-    if (collision_.swept && pushed_far_) stop_what_crosses(result, executor);
-    store(result, executor);
+    update_pairs(result, executor);
+    const bool is_tangled = is_anything_tangled(result, executor);
+    if (is_tangled || is_anything_near()) keep_apart(result, is_tangled, executor);
+    if (untangling_) count_crossings(result, executor);
   }
 
   void tell(Report& report) override {
@@ -112,6 +118,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     report.contact_sweeps = std::max(report.contact_sweeps, met_with_.contact_sweeps);
     report.impact_zone_particles = std::max(report.impact_zone_particles, met_with_.impact_zone_particles);
     if (met_with_.contacts_left > 0) report.contacts_left = met_with_.contacts_left;
+    report.crossings += crossings_;
     met_with_ = {};
   }
 
@@ -123,8 +130,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
             {"position", "velocity", "mass", "triangles"},
             {"position", "velocity"},
             places * sizeof(Vec3) + (free_mass_.capacity() + inverse_mass_.capacity()) * sizeof(double) +
-                close_pairs_.bytes() + bound_.bytes() + narrow_phase_.bytes() + sweeps_.bytes() +
-                obstacles_.bytes()};
+                close_pairs_.bytes() + bound_.bytes() + (untangling_ ? untangling_->bytes() : 0) +
+                narrow_phase_.bytes() + sweeps_.bytes() + obstacles_.bytes()};
   }
 
  private:
@@ -133,12 +140,65 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// No less than what rounding takes from a bound on motion.
   static constexpr double rounding = 1.0 + 1e-6;
 
-  /// Whether a pair may touch in this step. Pairs are found anew where particles have moved too far since.
-  bool is_anything_near(const StepResult<Real>& result, Executor& executor) {
-    update_pairs(result, executor);
+  void keep_apart(const StepResult<Real>& result, bool is_tangled, Executor& executor) {
+    load(result, executor);
+    let_all_go(result);
+    if (is_tangled) draw_apart(result, executor);
+    const bool touches = push_apart(result, executor);
+    if (!touches && !is_tangled) return;
+    if (collision_.swept && pushed_far_) stop_what_crosses(result, executor);
+    store(result, executor);
+  }
+
+  /// Whether a pair may touch in this step.
+  bool is_anything_near() const {
     return nearest_ - moved_ <= NarrowPhase::active_distance(collision_.thickness);
   }
 
+  /// Whether anything crosses at the start of the step.
+  bool is_anything_tangled(const StepResult<Real>& result, Executor& executor) {
+    if (!untangling_) return false;
+    if (!untangling_->crossings().none_near()) load(result, executor), let_all_go(result);
+    return untangling_->look(start_, executor);
+  }
+
+  void draw_apart(const StepResult<Real>& result, Executor& executor) {
+    const double share = std::min(1.0, drawn_margins_per_second * result.h);
+    obstacles_.move_to(result.time, result.h);
+    for (const Index i : surface_.corners) hold_if_pinched(i);
+    const Places& moves = untangling_->draw_apart(end_, margin_ * share);
+    for (const Index i : surface_.corners) keep_out_of_obstacles(i, moves[i]);
+    begin_round(result, executor);
+  }
+
+  /// Takes back as much of a particle's move as went into colliders.
+  void keep_out_of_obstacles(Index i, const Vec3& move) {
+    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
+      const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
+      const double inwards = -move.dot(surface.outwards);
+      if (surface.gap < 0.0 && inwards > 0.0) end_[i] += std::min(-surface.gap, inwards) * surface.outwards;
+    }
+  }
+
+  void count_crossings(const StepResult<Real>& result, Executor& executor) {
+    update_pairs(result, executor);
+    crossings_ = 0;
+    if (untangling_->crossings().none_near()) return;
+    load(result, executor);
+    crossings_ = untangling_->crossings().find(end_, executor).size();
+  }
+
+  /// Those close pairs that are kept apart.
+  const std::vector<ClosePair>& pairs_kept_apart() {
+    if (!untangling_ || !untangling_->is_tangled()) return *pairs_;
+    kept_apart_.clear();
+    for (const ClosePair& pair : *pairs_) {
+      if (!untangling_->are_entangled(pair)) kept_apart_.push_back(pair);
+    }
+    return kept_apart_;
+  }
+
+  /// Pairs are found anew where particles have moved too far since.
   void update_pairs(const StepResult<Real>& result, Executor& executor) {
     if (pairs_hold_) measure_motion(result, executor);
     if (!pairs_hold_ || !(moved_ <= margin_)) find_pairs(result, executor);
@@ -146,7 +206,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// How far particles have moved against each other at the ends of this step, since pairs were found.
   void measure_motion(const StepResult<Real>& result, Executor& executor) {
-    const State<Real>& start = collision_.swept ? result.start : result.next;
+    const State<Real>& start = collision_.swept || untangling_ ? result.start : result.next;
     moved_ = rounding * bound_.since(start, result.next, margin_ / rounding, executor);
   }
 
@@ -167,6 +227,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     const double reach = NarrowPhase::active_distance(collision_.thickness) + margin_;
     pairs_ = pairs_hold_ ? &close_pairs_.find(looked_, looked_, reach, executor)
                          : &close_pairs_.find(start_, end_, reach, executor);
+    if (untangling_)
+      untangling_->crossings().look(close_pairs_.edge_boxes(), close_pairs_.triangle_boxes(), executor);
     for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
     is_crowd_ = double(pairs_->size()) > crowd * double(surface_.corners.size());
   }
@@ -206,8 +268,15 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       start_[i] = result.start.position(i).template cast<double>();
       end_[i] = result.next.position(i).template cast<double>();
       velocity_[i] = result.next.velocity(i).template cast<double>();
-      inverse_mass_[i] = free_mass_[i];
     });
+  }
+
+  /// At the start of a step nothing is known to be pinched.
+  void let_all_go(const StepResult<Real>& result) {
+    for (const Index i : surface_.corners) {
+      inverse_mass_[i] = free_mass_[i];
+      is_pinched_[i] = 0;
+    }
     for (const ScriptedTime& script : scripted_) {
       if (script.holds_at(result.time)) inverse_mass_[script.particle] = 0.0;
     }
@@ -235,26 +304,28 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// velocities. Whether anything was near.
   bool push_apart(const StepResult<Real>& result, Executor& executor) {
     obstacles_.move_to(result.time, result.h);
+    touching_.clear();
+    left_ = 0, pushed_far_ = false;
     bool touches = false;
     for (int round = 0; round < most_rounds; ++round) {
       if (round > 0) begin_round(result, executor);
       std::vector<SurfaceContact>& contacts =
-          narrow_phase_.contacts_of(*pairs_, step_of(result, executor), executor);
+          narrow_phase_.contacts_of(pairs_kept_apart(), step_of(result, executor), executor);
       if (contacts.empty()) break;
       touches = true;
       pushed_far_ = push(contacts, result.h, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
       choose_touching(contacts, round > 0);
       if (!pushed_far_) break;
     }
-    if (touches) settle(result.h, executor);
+    if (untangling_) add_pulls();
+    settle(result.h, executor);
     return touches;
   }
 
   /// How far particles are moved, at most [m].
   double push(std::vector<SurfaceContact>& contacts, double h, Executor& executor) {
-    const std::size_t pairs = contacts.size();
     sweeps_.find_particles(contacts);
-    add_obstacles(contacts, h);
+    const std::size_t pairs = add_obstacles(contacts, h);
     sweeps_.set(contacts);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
@@ -271,13 +342,18 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return furthest;
   }
 
-  /// What lies on a collider is not pushed into it: it carries what lies on it.
-  void add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
+  /// What lies on a collider is not pushed into it: it carries what lies on it. What is pinched is not moved;
+  /// returns how many contacts of pairs there are then.
+  std::size_t add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
     obstacle_velocity_.clear();
+    const auto pairs = std::ptrdiff_t(contacts.size());
     for (const Index i : sweeps_.particles()) {
+      const auto others = std::ptrdiff_t(contacts.size());
+      std::size_t deep_in = 0;
       for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
         const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
         if (!(surface.gap < collision_.thickness)) continue;
+        deep_in += is_deep(surface) ? 1 : 0;
         contacts.push_back({{i, i, i, i},
                             {1.0, 0.0, 0.0, 0.0},
                             surface.outwards,
@@ -286,7 +362,60 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
                             surface.friction});
         obstacle_velocity_.push_back(surface.velocity);
       }
+      if (deep_in < 2) continue;
+      hold(i);
+      contacts.erase(contacts.begin() + others, contacts.end());
+      obstacle_velocity_.resize(std::size_t(others - pairs));
     }
+    const std::vector<SurfaceContact> obstacles(contacts.begin() + pairs, contacts.end());
+    const auto left =
+        std::remove_if(contacts.begin(), contacts.begin() + pairs, [&](const SurfaceContact& contact) {
+          return takes_pinched(contact) || is_squeezed(contact, obstacles);
+        });
+    const auto count = std::size_t(left - contacts.begin());
+    contacts.erase(left, contacts.begin() + pairs);
+    return count;
+  }
+
+  /// Whether two pieces are so near that there is no room for both between solids that they lie on: these
+  /// hold each against the push of the other.
+  bool is_squeezed(const SurfaceContact& contact, const std::vector<SurfaceContact>& obstacles) const {
+    if (!(contact.gap(end_) < 0.0)) return false;
+    const auto is_held = [&](double side) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (!(side * contact.weights[k] > 0.0)) continue;
+        auto on = std::lower_bound(
+            obstacles.begin(), obstacles.end(), contact.particles[k],
+            [](const SurfaceContact& a, Index particle) { return a.particles[0] < particle; });
+        for (; on != obstacles.end() && on->particles[0] == contact.particles[k]; ++on) {
+          if (side * contact.normal.dot(on->normal) < -0.5) return true;
+        }
+      }
+      return false;
+    };
+    return is_held(1.0) && is_held(-1.0);
+  }
+
+  /// What is so deep in several solids is pinched: colliders leave it there.
+  bool is_deep(const ObstacleSurface& surface) const { return surface.gap < -0.01 * collision_.thickness; }
+
+  void hold(Index pinched) {
+    inverse_mass_[pinched] = 0.0;
+    is_pinched_[pinched] = 1;
+  }
+
+  bool takes_pinched(const SurfaceContact& contact) const {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (contact.weights[k] != 0.0 && is_pinched_[contact.particles[k]] != 0) return true;
+    }
+    return false;
+  }
+
+  void hold_if_pinched(Index i) {
+    std::size_t deep_in = 0;
+    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o)
+      deep_in += is_deep(obstacles_.seen_from(end_[i], o)) ? 1 : 0;
+    if (deep_in > 1) hold(i);
   }
 
   /// The contacts that push, for velocities; and with pushes in several rounds, all that touch after them.
@@ -299,6 +428,13 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       touching_.push_back(contacts[c]);
       touching_.back().held = c < pairs ? Vec3::Zero().eval() : obstacle_velocity_[c - pairs];
       touching_.back().least = touching_.back().normal.dot(touching_.back().held);
+    }
+  }
+
+  /// What crosses does not go further in.
+  void add_pulls() {
+    for (const SurfaceContact& pull : untangling_->pulls()) {
+      if (!takes_pinched(pull)) touching_.push_back(pull);
     }
   }
 
@@ -322,7 +458,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     std::size_t crossing = 0;
     for (int round = 0; round < most_zone_rounds; ++round) {
       begin_round(result, executor);
-      const auto& pairs = narrow_phase_.crossing(*pairs_, step_of(result, executor), executor);
+      const auto& pairs = narrow_phase_.crossing(pairs_kept_apart(), step_of(result, executor), executor);
       crossing = pairs.size();
       if (crossing == 0) break;
       for (const ClosePair& pair : pairs) zones_.join(pair.particles);
@@ -344,15 +480,18 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   ClosePairs close_pairs_;
   MotionBound<Real> bound_;
   std::vector<double> free_mass_, inverse_mass_;
+  std::vector<unsigned char> is_pinched_;  ///< of each particle in this step
   std::vector<ScriptedTime> scripted_;
   Obstacles obstacles_;
   NarrowPhase narrow_phase_;
   ContactSweeps sweeps_;
   ImpactZones zones_;
+  std::optional<Untangling> untangling_;
+  std::vector<ClosePair> kept_apart_;
   std::vector<SurfaceContact> touching_;
   std::vector<Vec3> obstacle_velocity_;  ///< of the last contacts, which are those with obstacles [m/s]
   Places before_;
-  std::size_t left_ = 0;
+  std::size_t left_ = 0, crossings_ = 0;
   const std::vector<ClosePair> no_pairs_;
   const std::vector<ClosePair>* pairs_ = &no_pairs_;
   bool pairs_hold_ = false, pushed_far_ = false;
