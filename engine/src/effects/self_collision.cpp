@@ -83,7 +83,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     if (!is_anything_near(result, executor)) return;
     load(result, executor);
     const bool touches = push_apart(result, executor);
-    if (!touches) return;
+    if (!touches && !pushed_far_) return;
     if (collision_.swept && pushed_far_) stop_what_crosses(result, executor);
     store(result, executor);
   }
@@ -204,10 +204,12 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   bool push_apart(const StepResult<Real>& result, Executor& executor) {
     obstacles_.move_to(result.time, result.h);
     bool touches = false;
+    pushed_far_ = false;
     for (int round = 0; round < most_rounds; ++round) {
       if (round > 0) begin_round(result, executor);
       std::vector<SurfaceContact>& contacts =
           narrow_phase_.contacts_of(*pairs_, step_of(result, executor), executor);
+      pushed_far_ = pushed_far_ || narrow_phase_.passed();
       if (contacts.empty()) break;
       touches = true;
       pushed_far_ = push(contacts, result.h, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
