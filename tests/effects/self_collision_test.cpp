@@ -159,6 +159,29 @@ TEST_CASE("self-collision: cloth at 1e4 m/s does not pass through a thin one whe
   CHECK(position(passes, Index(scene.particles.size()) - 1).y() < -5.0);
 }
 
+TEST_CASE("self-collision: an edge that crosses another after an end of it came near it is seen") {
+  // A corner of a crumpled cloth: particle 1 first comes near to the edge that it is joined to.
+  const std::vector<Vec3> start{{0.544915, -0.180377, 0.073153}, {0.577450, -0.122261, 0.109032},
+                                {0.540300, -0.158656, 0.130616}, {0.592200, -0.130693, 0.148130},
+                                {0.585433, -0.121589, 0.084021}, {0.591661, -0.109280, 0.123161}};
+  const std::vector<Vec3> end{{0.574322, -0.162358, 0.106927}, {0.628603, -0.159134, 0.116070},
+                              {0.595261, -0.140023, 0.159543}, {0.637187, -0.169400, 0.170016},
+                              {0.610608, -0.147314, 0.109467}, {0.630750, -0.128799, 0.155786}};
+  constexpr double step = 0.02;
+  Scene scene;
+  for (std::size_t i = 0; i < start.size(); ++i)
+    scene.add_particle(1e-3, start[i], (end[i] - start[i]) / step);
+  scene.triangles = {{0, 1, 2}, {1, 3, 2}, {1, 4, 3}, {4, 5, 3}};
+  CHECK(count_crossings(start, scene.triangles) == 0);
+  CHECK(count_crossings(end, scene.triangles) > 0);
+  scene.effects = {SelfCollision{.thickness = thickness}};
+  Simulation<double> simulation(scene, {.step = step, .threads = 1});
+  const Report report = simulation.step();
+  CHECK(report.contacts_left == 0);
+  CHECK(report.impact_zone_particles > 0);
+  CHECK(count_crossings(simulation, scene) == 0);
+}
+
 TEST_CASE_TEMPLATE("self-collision: the same bits on 1, 2 and 5 threads", Real, float, double) {
   const Scene scene = folded_strip(4, 5, 6, 0.02);
   std::vector<std::uint64_t> hashes;

@@ -6,6 +6,7 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/collapsed_cloth.cpp
   scenes/hard/common_criteria.cpp
   scenes/hard/compressed_cloth.cpp
+  scenes/hard/contact_watch.cpp
   scenes/hard/far_from_origin.cpp
   scenes/hard/flattened_block.cpp
   scenes/hard/hard_cases.cpp
@@ -18,6 +19,7 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/many_islands.cpp
   scenes/hard/mass_ratio.cpp
   scenes/hard/measures.cpp
+  scenes/hard/needles.cpp
   scenes/hard/over_constrained.cpp
   scenes/hard/random_graphs.cpp
   scenes/hard/random_vertices.cpp
@@ -27,6 +29,7 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/stiff_damper.cpp
   scenes/hard/stiffness_ratio.cpp
   scenes/hard/suite.cpp
+  scenes/hard/table_cloth.cpp
   scenes/hard/teleported_pin.cpp
   scenes/hard/tiny_and_huge_cloth.cpp
   scenes/hard/tiny_rest_lengths.cpp

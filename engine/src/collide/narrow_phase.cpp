@@ -30,8 +30,8 @@ double time_of_touch(const ClosePair& pair, const PairPlaces& start, const PairP
 
 /// Whether the nearest points of two edges lie within both. Where one is an end, the pair of that corner and
 /// a triangle at the other edge says the same.
-bool is_within_both(const ClosestPoints& points) {
-  for (const double weight : points.weights) {
+bool is_within_both(const SurfaceContact& contact) {
+  for (const double weight : contact.weights) {
     if (weight == 0.0) return false;
   }
   return true;
@@ -118,8 +118,8 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
   if (is_far(pair, step)) return;
   const PairPlaces end = places_of(pair, step.end);
   ClosestPoints points = closest_points(pair.kind, end);
-  double distance = points.distance();
-  double time = 1.0;
+  const double distance_at_end = points.distance();
+  double distance = distance_at_end, time = 1.0;
   if (swept_ && distance <= step.motion) {
     const PairPlaces start = places_of(pair, step.start);
     time = time_of_touch(pair, start, end, distance, 0.5);
@@ -132,9 +132,8 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
   SurfaceContact contact{pair.particles, points.weights, points.between / distance,
                          pair.thickness, Vec3::Zero(),   friction_};
   if (!can_be_moved(contact, step.inverse_mass)) return;
-  if (pair.kind == PairKind::corner_triangle) {
-    if (is_neighbours_only(pair, contact) || is_known(contact, run.contacts)) return;
-  } else if (!is_within_both(points)) {
+  if (is_left_to_others(pair, contact, run)) {
+    run.passed = run.passed || (time < 1.0 && is_crossing(pair, step, distance_at_end));
     return;
   }
   contact.held = contact.sum(step.start);
@@ -143,15 +142,26 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
   run.passed = run.passed || time < 1.0;
 }
 
+/// Whether another pair has this contact, too, or nearest corners are joined. Where such a pair comes near,
+/// it may still cross later in the step, where its nearest points are others.
+bool NarrowPhase::is_left_to_others(const ClosePair& pair, const SurfaceContact& contact, const Run& run) {
+  if (pair.kind == PairKind::edge_edge) return !is_within_both(contact);
+  return is_neighbours_only(pair, contact) || is_known(contact, run.contacts);
+}
+
+bool NarrowPhase::is_crossing(const ClosePair& pair, const Step& step, double distance_at_end) {
+  if (distance_at_end > step.motion) return false;
+  return time_of_touch(pair, places_of(pair, step.start), places_of(pair, step.end), distance_at_end, 0.1) <
+         1.0;
+}
+
 const std::vector<ClosePair>& NarrowPhase::crossing(const std::vector<ClosePair>& pairs, const Step& step,
                                                     Executor& executor) {
   crossing_.clear();
   const auto look_at_one = [&](const ClosePair& pair, Run& run) {
     if (is_far(pair, step)) return;
-    const PairPlaces start = places_of(pair, step.start), end = places_of(pair, step.end);
-    const double distance = closest_points(pair.kind, end).distance();
-    if (distance <= step.motion && time_of_touch(pair, start, end, distance, 0.1) < 1.0)
-      run.crossing.push_back(pair);
+    const double distance = closest_points(pair.kind, places_of(pair, step.end)).distance();
+    if (is_crossing(pair, step, distance)) run.crossing.push_back(pair);
   };
   for (const Run& run : look_at(pairs, look_at_one, executor))
     crossing_.insert(crossing_.end(), run.crossing.begin(), run.crossing.end());

@@ -145,7 +145,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     let_all_go(result);
     if (is_tangled) draw_apart(result, executor);
     const bool touches = push_apart(result, executor);
-    if (!touches && !is_tangled) return;
+    if (!touches && !is_tangled && !pushed_far_) return;
     if (collision_.swept && pushed_far_) stop_what_crosses(result, executor);
     store(result, executor);
   }
@@ -311,6 +311,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       if (round > 0) begin_round(result, executor);
       std::vector<SurfaceContact>& contacts =
           narrow_phase_.contacts_of(pairs_kept_apart(), step_of(result, executor), executor);
+      pushed_far_ = pushed_far_ || narrow_phase_.passed();
       if (contacts.empty()) break;
       touches = true;
       pushed_far_ = push(contacts, result.h, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
