@@ -196,7 +196,7 @@ void Simulation<Real>::Parts::take_over(const Parts& before, const std::vector<I
 
 template <class Real>
 auto Simulation<Real>::Parts::for_scene_of(const Snapshot<Real>& snapshot) const -> std::unique_ptr<Parts> {
-  require(tears || (!snapshot.torn && snapshot.torn_from.empty() && snapshot.relaxing.empty()),
+  require(tears || (!snapshot.torn && snapshot.torn_from.empty()),
           "it is of a scene that has torn, and this one names no tearing");
   if (!tears) return nullptr;
   const std::shared_ptr<const Scene>& scene = snapshot.torn ? snapshot.torn : tears->start;

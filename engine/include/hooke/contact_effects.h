@@ -145,10 +145,11 @@ struct ParticleContact {
 
 /// Springs that are strained too much, or pull too hard, tear what they are part of: one of the two particles
 /// of each is split in two, across the spring, and what was joined to it is shared out between the two:
-/// springs and triangles on either side stay whole, and nothing is lost, but springs that would bridge the
-/// tear. The new particle has a new number, the next one, and the scene's triangles are those of
-/// Simulation::triangles() then. Mass and momentum are kept. Looked at after each step, not after its
-/// substeps.
+/// triangles and springs on either side stay whole, an edge of triangles on both sides becomes two springs,
+/// and nothing is lost but springs that would bridge the tear. Where neither end has anything on its other
+/// side, the spring itself is lost, or stays where it is an edge of a triangle. New particles have the next
+/// numbers, and the scene's triangles are those of Simulation::triangles() then. Mass and momentum are kept.
+/// Looked at after each step, not after its substeps. See docs/tearing.md.
 struct Tearing {
   double strain = 0.0;              ///< (l - l0) / l0 [1] above which a spring tears; 0: strain tears none
   double force = 0.0;               ///< k (l - l0) [N] above which a spring tears; 0: force tears none
