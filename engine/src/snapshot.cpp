@@ -53,12 +53,6 @@ void set_state(const std::vector<Real>& positions, const std::vector<Real>& velo
   }
 }
 
-/// A hash of the positions and velocities of a snapshot.
-template <class Real>
-std::uint64_t hash_of_state(const Snapshot<Real>& snapshot) {
-  return hash_values<Real>(snapshot.velocities, hash_values<Real>(snapshot.positions, 0));
-}
-
 /// Of the most that steps are ever divided into, halved as often as can be.
 constexpr std::uint64_t most_substeps = 100'000 << 10;
 
@@ -134,13 +128,11 @@ void restore_frames(const std::vector<RigidPose>& poses, Frames* frames, EffectL
 }  // namespace
 
 template <class Real>
-Snapshot<Real> Simulation<Real>::snapshot() const {
-  const Parts& p = *parts_;
+Snapshot<Real> Simulation<Real>::Parts::snapshot() {
+  Parts& p = *this;
   Snapshot<Real> snapshot;
-  snapshot.positions.resize(3 * p.model.particles());
-  snapshot.velocities.resize(3 * p.model.particles());
-  copy_positions(snapshot.positions.data(), 3 * sizeof(Real));
-  copy_velocities(snapshot.velocities.data(), 3 * sizeof(Real));
+  snapshot.positions = vectors_of<Real>(p.model.order, [&](Index e) { return p.states.now().position(e); });
+  snapshot.velocities = velocities_of(p.whole_state(), p.model.order);
   snapshot.time = p.states.now().time;
   snapshot.step = p.steps;
   snapshot.remainder = p.clock.remainder();
@@ -164,12 +156,17 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
         vectors_of<Real>(p.model.order, [&](Index e) { return before.position(e); });
     snapshot.method.velocities_before = velocities_of(before, p.model.order);
   }
+  if (p.tears) {
+    if (p.tears->torn()) snapshot.torn = p.tears->now;
+    snapshot.torn_from = p.tears->torn_from;
+    snapshot.relaxing = p.tears->springs.relaxing();
+  }
   return snapshot;
 }
 
 template <class Real>
-void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
-  Parts& p = *parts_;
+void Simulation<Real>::Parts::restore(const Snapshot<Real>& snapshot) {
+  Parts& p = *this;
   check_values("positions", snapshot.positions, p.model.particles());
   check_values("velocities", snapshot.velocities, p.model.particles());
   require(std::isfinite(snapshot.time), "time is not finite; give a finite value");
@@ -205,9 +202,26 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   }
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
+  if (p.tears) p.tears->springs.relax(snapshot.relaxing);
   p.begin_watch();
 }
 
+template <class Real>
+Snapshot<Real> Simulation<Real>::snapshot() const {
+  return parts_->snapshot();
+}
+
+template <class Real>
+void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
+  std::unique_ptr<Parts> others = parts_->for_scene_of(snapshot);
+  (others ? *others : *parts_).restore(snapshot);
+  if (others) parts_ = std::move(others);
+}
+
+template Snapshot<float> Simulation<float>::Parts::snapshot();
+template Snapshot<double> Simulation<double>::Parts::snapshot();
+template void Simulation<float>::Parts::restore(const Snapshot<float>&);
+template void Simulation<double>::Parts::restore(const Snapshot<double>&);
 template Snapshot<float> Simulation<float>::snapshot() const;
 template Snapshot<double> Simulation<double>::snapshot() const;
 template void Simulation<float>::restore(const Snapshot<float>&);

@@ -31,6 +31,7 @@ constexpr std::array units{
     FieldUnit{FrameAttachment::name, "origin", "m"},
     FieldUnit{Stitch::name, "closing_time", "s"},
     FieldUnit{SelfCollision::name, "thickness", "m"},
+    FieldUnit{Tearing::name, "force", "N"},
     FieldUnit{ParticleContact::name, "stiffness", "N/m"},
     FieldUnit{ParticleContact::name, "damping", "N s/m"},
     FieldUnit{ParticleContact::name, "shear_stiffness", "N/m"},
