@@ -195,7 +195,7 @@ TEST_CASE("self-collision: sweeps keep contacts and momentum, and velocities gai
   };
   ContactSweeps sweeps(inverse_mass);
   sweeps.find_particles(contacts);
-  sweeps.set(contacts);
+  sweeps.set(contacts, *executor);
   double worst = 0.0;
   for (const SurfaceContact& contact : contacts) worst = std::min(worst, contact.gap(values));
   CHECK(worst < -0.5);

@@ -42,12 +42,14 @@ bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inve
 ContactSweeps::ContactSweeps(const std::vector<double>& inverse_mass)
     : inverse_mass_(inverse_mass), taken_(inverse_mass.size(), 0), met_place_(inverse_mass.size()) {}
 
-void ContactSweeps::set(const std::vector<SurfaceContact>& contacts) {
+void ContactSweeps::set(const std::vector<SurfaceContact>& contacts, Executor& executor) {
   choose_colours(contacts);
   contacts_.resize(contacts.size());
   pushed_.resize(contacts.size());
   pushes_.resize(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c) contacts_[place_[c]] = packed(contacts[c]);
+  executor.parallel_for(contacts.size(), contacts_in_run, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) contacts_[place_[c]] = packed(contacts[c]);
+  });
 }
 
 PackedContact ContactSweeps::packed(const SurfaceContact& contact) const {
@@ -141,7 +143,7 @@ std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, double share, double
     ++sweeps;
     for (std::size_t c = 0; c < pushed_.size(); ++c) pushed_[c] |= pushes_[c];
     if (!(asked > enough)) break;
-    if (!choose_active()) continue;
+    if (!choose_active(executor)) continue;
     for (std::uint64_t n = 0; n < active_sweeps && sweeps < most; ++n) {
       ++sweeps;
       if (!(sweep(active_, active_begin_, active_pushes_, executor) > enough)) break;
@@ -169,18 +171,24 @@ double ContactSweeps::sweep(std::span<const PackedContact> contacts,
 }
 
 /// Those that pushed when all were looked at. Whether they are so much fewer that it pays.
-bool ContactSweeps::choose_active() {
-  const auto pushing = std::accumulate(pushes_.begin(), pushes_.end(), std::size_t{0});
-  if (3 * pushing > 2 * pushes_.size()) return false;
-  active_.clear();
+bool ContactSweeps::choose_active(Executor& executor) {
   active_begin_.assign(1, 0);
   for (std::size_t colour = 0; colour + 1 < colour_begin_.size(); ++colour) {
-    for (std::size_t c = colour_begin_[colour]; c < colour_begin_[colour + 1]; ++c) {
-      if (pushes_[c] != 0) active_.push_back(contacts_[c]);
-    }
-    active_begin_.push_back(active_.size());
+    active_begin_.push_back(std::accumulate(pushes_.begin() + std::ptrdiff_t(colour_begin_[colour]),
+                                            pushes_.begin() + std::ptrdiff_t(colour_begin_[colour + 1]),
+                                            active_begin_.back()));
   }
-  active_pushes_.resize(active_.size());
+  if (3 * active_begin_.back() > 2 * contacts_.size()) return false;
+  active_.resize(active_begin_.back());
+  active_pushes_.resize(active_begin_.back());
+  executor.parallel_for(active_begin_.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t colour = begin; colour < end; ++colour) {
+      std::size_t next = active_begin_[colour];
+      for (std::size_t c = colour_begin_[colour]; c < colour_begin_[colour + 1]; ++c) {
+        if (pushes_[c] != 0) active_[next++] = contacts_[c];
+      }
+    }
+  });
   return true;
 }
 

@@ -54,7 +54,7 @@ class ContactSweeps {
   void find_particles(const std::vector<SurfaceContact>& contacts);
 
   /// The contacts of the next runs. Those none of whose particles can be moved must be left out.
-  void set(const std::vector<SurfaceContact>& contacts);
+  void set(const std::vector<SurfaceContact>& contacts, Executor& executor);
 
   /// Changes `values` of all particles until contacts ask for no more than `least`, or `share` of what they
   /// asked for at first; at most so many times. Returns how often.
@@ -81,7 +81,7 @@ class ContactSweeps {
   void store(std::vector<Vec3>& values) const;
   double sweep(std::span<const PackedContact> contacts, const std::vector<std::size_t>& colour_begin,
                std::vector<unsigned char>& pushes, Executor& executor);
-  bool choose_active();
+  bool choose_active(Executor& executor);
 
   const std::vector<double>& inverse_mass_;
   std::vector<PackedContact> contacts_;  ///< colour by colour

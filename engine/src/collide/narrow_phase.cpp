@@ -104,13 +104,20 @@ double NarrowPhase::least_distance(const ClosePair& pair, double before) const {
 
 std::vector<SurfaceContact>& NarrowPhase::contacts_of(const std::vector<ClosePair>& pairs, const Step& step,
                                                       Executor& executor) {
-  contacts_.clear();
   passed_ = false;
   const auto look_at_one = [&](const ClosePair& pair, Run& run) { look(pair, step, run); };
-  for (const Run& run : look_at(pairs, look_at_one, executor)) {
-    contacts_.insert(contacts_.end(), run.contacts.begin(), run.contacts.end());
+  const std::span<const Run> runs = look_at(pairs, look_at_one, executor);
+  begin_.assign(1, 0);
+  for (const Run& run : runs) {
+    begin_.push_back(begin_.back() + run.contacts.size());
     passed_ = passed_ || run.passed;
   }
+  contacts_.resize(begin_.back());
+  executor.parallel_for(runs.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r)
+      std::copy(runs[r].contacts.begin(), runs[r].contacts.end(),
+                contacts_.begin() + std::ptrdiff_t(begin_[r]));
+  });
   return contacts_;
 }
 
@@ -174,7 +181,8 @@ std::size_t NarrowPhase::bytes() const {
     contacts += run.contacts.capacity();
     pairs += run.crossing.capacity();
   }
-  return contacts * sizeof(SurfaceContact) + pairs * sizeof(ClosePair);
+  return contacts * sizeof(SurfaceContact) + pairs * sizeof(ClosePair) +
+         begin_.capacity() * sizeof(std::size_t);
 }
 
 }  // namespace hooke

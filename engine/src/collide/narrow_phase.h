@@ -70,6 +70,7 @@ class NarrowPhase {
   bool swept_, passed_ = false;
   std::vector<Run> runs_;
   std::vector<SurfaceContact> contacts_;
+  std::vector<std::size_t> begin_;  ///< of each run's, in `contacts_`
   std::vector<ClosePair> crossing_;
 };
 

@@ -327,7 +327,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   double push(std::vector<SurfaceContact>& contacts, double h, Executor& executor) {
     sweeps_.find_particles(contacts);
     const std::size_t pairs = add_obstacles(contacts, h);
-    sweeps_.set(contacts);
+    sweeps_.set(contacts, executor);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
     const std::uint64_t sweeps =
@@ -443,7 +443,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   void settle(double h, Executor& executor) {
     if (touching_.empty()) return;
     sweeps_.find_particles(touching_);
-    sweeps_.set(touching_);
+    sweeps_.set(touching_, executor);
     const std::uint64_t sweeps =
         sweeps_.run(velocity_, speed_tolerance, speed_tolerance_of_thickness * collision_.thickness / h,
                     collision_.sweeps, executor);
