@@ -27,6 +27,8 @@ extern const HardCase over_constrained;
 extern const HardCase long_oscillation;
 extern const HardCase stiff_damper;
 extern const HardCase rotating_sphere;
+extern const HardCase pinch;
+extern const HardCase self_intersecting_start;
 extern const HardCase incline_friction;
 
 }  // namespace hooke::hard
