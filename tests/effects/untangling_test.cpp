@@ -12,16 +12,34 @@
 #include "collide/crossings.h"
 #include "collide/intersection_curves.h"
 #include "effects/crossings.h"
-#include "effects/tangled_scenes.h"
+#include "effects/sphere_scene.h"
 #include "fine_executor.h"
 #include "scenes.h"
+#include "scenes/hard/tangles.h"
 
 using namespace hooke;
+using namespace hooke::hard;
 using namespace hooke::test;
 
 namespace {
 
 const Settings frames{.method = BackwardEuler{}, .step = 1.0 / 60.0, .threads = 1};
+
+/// Two balls that overlap.
+Scene two_balls() {
+  Scene scene;
+  for (const double side : {-1.0, 1.0}) {
+    const Scene ball = sphere_scene(3, 0.2, 0.0);
+    ClothMesh mesh;
+    mesh.areal_density = 2.0, mesh.stretch = 100.0, mesh.bend = 1.0;
+    mesh.triangles = ball.triangles;
+    for (const Vec3& x : ball.particles.position)
+      mesh.vertices.push_back(x + Vec3(0.16, 0.003, 0.0017) * side);
+    add(scene, mesh);
+  }
+  untangle(scene);
+  return scene;
+}
 
 /// The crossings at the start and after each frame, until there are none or the frames are over.
 std::vector<std::uint64_t> crossings_of_frames(const Scene& scene, const Settings& settings, int most) {
@@ -112,8 +130,10 @@ TEST_CASE("untangling: what crosses in a closed curve gets ever fewer crossings,
 TEST_CASE("untangling: what crosses in an open curve or a small loop is free within 60 frames") {
   Settings settings = frames;
   settings.method = Xpbd{};
-  for (const Scene& scene : {bbii_tangle(), bibi_tangle(), cross_tangle(), ll_tangle(), bli_tangle()})
-    CHECK(crossings_of_frames(scene, settings, 60).back() == 0);
+  for (const Tangle& tangle : tangles) {
+    CAPTURE(tangle.name);
+    if (!tangle.is_closed) CHECK(crossings_of_frames(tangle.make(), settings, 60).back() == 0);
+  }
 }
 
 TEST_CASE("untangling: what cannot be drawn apart is told") {

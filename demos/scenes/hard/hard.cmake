@@ -21,15 +21,21 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/measures.cpp
   scenes/hard/needles.cpp
   scenes/hard/over_constrained.cpp
+  scenes/hard/pinch.cpp
   scenes/hard/random_graphs.cpp
   scenes/hard/random_vertices.cpp
   scenes/hard/rotating_sphere.cpp
   scenes/hard/scaled_units.cpp
+  scenes/hard/self_intersecting_start.cpp
   scenes/hard/shapes.cpp
   scenes/hard/stiff_damper.cpp
   scenes/hard/stiffness_ratio.cpp
   scenes/hard/suite.cpp
+<<<<<<< HEAD
   scenes/hard/table_cloth.cpp
+=======
+  scenes/hard/tangles.cpp
+>>>>>>> hB
   scenes/hard/teleported_pin.cpp
   scenes/hard/tiny_and_huge_cloth.cpp
   scenes/hard/tiny_rest_lengths.cpp

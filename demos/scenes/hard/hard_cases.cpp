@@ -10,7 +10,11 @@ std::span<const HardCase> hard_cases() {
       compressed_cloth,     collapsed_cloth,   random_vertices,   flattened_block, inverted_sphere,
       huge_steps,           teleported_pin,    huge_velocity,     far_from_origin, tiny_and_huge_cloth,
       scaled_units,         bad_input,         random_graphs,     many_islands,    over_constrained,
+<<<<<<< HEAD
       long_oscillation,     stiff_damper,      rotating_sphere,   needles,         table_cloth,
+=======
+      long_oscillation,     stiff_damper,      rotating_sphere,   pinch,           self_intersecting_start,
+>>>>>>> hB
       incline_friction};
   return all;
 }

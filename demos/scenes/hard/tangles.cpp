@@ -1,29 +1,37 @@
-#pragma once
+#include "scenes/hard/tangles.h"
 
 #include <cmath>
-#include <functional>
 
-#include <hooke/hooke.h>
+namespace hooke::hard {
+namespace {
 
-#include "sphere_scene.h"
+constexpr double bend = 1.0;  // [N/m]
 
-/// Cloth that crosses itself at the start, named after the ends of the curves in which it does (Wicke,
-/// Lanker, Gross 2006): B at a boundary, I in the inside of a piece, L where a fold begins.
+double bell(double square) {
+  return std::exp(-square);
+}
 
-namespace hooke::test {
+/// A sheet with a fold that becomes a loop where `height` is above 1. It is skewed, and at rest where it is
+/// flat.
+Scene loop_tangle(const std::function<double(double)>& height) {
+  Scene scene;
+  add_shaped_sheet(scene, 40, 24, [&](double u, double v) {
+    const double bump = bell(u * u / 0.16);
+    return Vec3(0.6 * u * (1.0 - height(v) * bump), 0.2 * height(v) * bump + 0.004 * u, 0.36 * v + 0.1 * u);
+  });
+  untangle(scene, true);
+  return scene;
+}
 
-/// A place [m] for coordinates from -1 to 1 along the sides of a sheet.
-using SheetShape = std::function<Vec3(double, double)>;
+}  // namespace
 
-/// The stiffness of bend springs [N/m].
-inline constexpr double bend = 10.0;
-
-inline GridParticles add_shaped_sheet(Scene& scene, Index columns, Index rows, const SheetShape& shape) {
+GridParticles add_shaped_sheet(Scene& scene, Index columns, Index rows, const SheetShape& shape) {
   const GridParticles sheet = add(scene, ClothGrid{.columns = columns,
                                                    .rows = rows,
                                                    .spacing = 0.03,
-                                                   .stretch = 1000.0,
-                                                   .shear = 500.0,
+                                                   .areal_density = 2.0,
+                                                   .stretch = 100.0,
+                                                   .shear = 50.0,
                                                    .bend = bend,
                                                    .damping = 0.02});
   for (Index row = 0; row < rows; ++row) {
@@ -34,8 +42,7 @@ inline GridParticles add_shaped_sheet(Scene& scene, Index columns, Index rows, c
   return sheet;
 }
 
-/// At rest as it is; or, where `is_flat`, but for bending.
-inline void untangle(Scene& scene, bool is_flat = false) {
+void untangle(Scene& scene, bool is_flat) {
   Springs& springs = scene.springs;
   for (std::size_t s = 0; s < springs.size(); ++s) {
     if (is_flat && springs.stiffness[s] == bend) continue;
@@ -45,19 +52,13 @@ inline void untangle(Scene& scene, bool is_flat = false) {
   scene.effects.push_back(SelfCollision{.thickness = 0.004, .untangle = true});
 }
 
-/// Not quite level, and not quite along the axes: nothing meets anything exactly.
-inline SheetShape level_sheet(double size) {
+SheetShape level_sheet(double size) {
   return [size](double u, double v) {
     return Vec3(size * u + 0.003, 0.011 * u + 0.007 * v + 0.0013, size * v + 0.005);
   };
 }
 
-inline double bell(double square) {
-  return std::exp(-square);
-}
-
-/// A sheet whose bump reaches through another one.
-inline Scene closed_tangle() {
+Scene closed_tangle() {
   Scene scene;
   add_shaped_sheet(scene, 24, 24, level_sheet(0.36));
   add_shaped_sheet(scene, 24, 24, [](double u, double v) {
@@ -67,8 +68,7 @@ inline Scene closed_tangle() {
   return scene;
 }
 
-/// Two bumps whose curves run into one another.
-inline Scene eight_tangle() {
+Scene eight_tangle() {
   Scene scene;
   add_shaped_sheet(scene, 32, 24, level_sheet(0.36));
   add_shaped_sheet(scene, 32, 24, [](double u, double v) {
@@ -80,8 +80,7 @@ inline Scene eight_tangle() {
   return scene;
 }
 
-/// A narrow sheet that has come through a wide one with its end.
-inline Scene bbii_tangle() {
+Scene bbii_tangle() {
   Scene scene;
   add_shaped_sheet(scene, 24, 24, level_sheet(0.36));
   add_shaped_sheet(scene, 10, 16, [](double u, double v) {
@@ -91,8 +90,7 @@ inline Scene bbii_tangle() {
   return scene;
 }
 
-/// Two sheets, each with a side in the other.
-inline Scene bibi_tangle() {
+Scene bibi_tangle() {
   Scene scene;
   add_shaped_sheet(scene, 20, 20, level_sheet(0.3));
   add_shaped_sheet(scene, 20, 20, [](double u, double v) {
@@ -102,8 +100,7 @@ inline Scene bibi_tangle() {
   return scene;
 }
 
-/// Two sheets that cross in the middle from side to side.
-inline Scene cross_tangle() {
+Scene cross_tangle() {
   Scene scene;
   add_shaped_sheet(scene, 20, 20, level_sheet(0.3));
   add_shaped_sheet(scene, 14, 20, [](double u, double v) {
@@ -113,49 +110,19 @@ inline Scene cross_tangle() {
   return scene;
 }
 
-/// A sheet with a fold that becomes a loop where `height` is above 1. It is skewed, and at rest where it is
-/// flat.
-inline Scene loop_tangle(const std::function<double(double)>& height) {
-  Scene scene;
-  add_shaped_sheet(scene, 40, 24, [&](double u, double v) {
-    const double bump = bell(u * u / 0.16);
-    return Vec3(0.6 * u * (1.0 - height(v) * bump), 0.2 * height(v) * bump + 0.004 * u, 0.36 * v + 0.1 * u);
-  });
-  untangle(scene, true);
-  return scene;
-}
-
-/// A loop in the middle of a sheet.
-inline Scene ll_tangle() {
+Scene ll_tangle() {
   return loop_tangle([](double v) { return 1.2 * bell(v * v); });
 }
 
-/// A loop that reaches the side of a sheet.
-inline Scene bli_tangle() {
+Scene bli_tangle() {
   return loop_tangle([](double v) { return 1.0 + 0.2 * v; });
 }
 
-/// A larger loop that nothing opens: the sheet is at rest as it is.
-inline Scene large_loop_tangle() {
+Scene large_loop_tangle() {
   Scene scene = loop_tangle([](double v) { return 1.35 * bell(v * v); });
   scene.effects.clear();
   untangle(scene);
   return scene;
 }
 
-/// Two balls that overlap.
-inline Scene two_balls() {
-  Scene scene;
-  for (const double side : {-1.0, 1.0}) {
-    const Scene ball = sphere_scene(3, 0.2, 0.0);
-    ClothMesh mesh;
-    mesh.triangles = ball.triangles;
-    for (const Vec3& x : ball.particles.position)
-      mesh.vertices.push_back(x + Vec3(0.16, 0.003, 0.0017) * side);
-    add(scene, mesh);
-  }
-  untangle(scene);
-  return scene;
-}
-
-}  // namespace hooke::test
+}  // namespace hooke::hard
