@@ -27,13 +27,10 @@ extern const HardCase over_constrained;
 extern const HardCase long_oscillation;
 extern const HardCase stiff_damper;
 extern const HardCase rotating_sphere;
-<<<<<<< HEAD
 extern const HardCase needles;
 extern const HardCase table_cloth;
-=======
 extern const HardCase pinch;
 extern const HardCase self_intersecting_start;
->>>>>>> hB
 extern const HardCase incline_friction;
 
 }  // namespace hooke::hard

@@ -31,11 +31,8 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/stiff_damper.cpp
   scenes/hard/stiffness_ratio.cpp
   scenes/hard/suite.cpp
-<<<<<<< HEAD
   scenes/hard/table_cloth.cpp
-=======
   scenes/hard/tangles.cpp
->>>>>>> hB
   scenes/hard/teleported_pin.cpp
   scenes/hard/tiny_and_huge_cloth.cpp
   scenes/hard/tiny_rest_lengths.cpp
