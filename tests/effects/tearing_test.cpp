@@ -6,6 +6,8 @@
 
 #include <hooke/hooke.h>
 
+#include "collide/local_shape.h"
+#include "effects/solid_meshes.h"
 #include "scenes.h"
 
 using namespace hooke;
@@ -453,6 +455,16 @@ TEST_CASE("tearing: a run whose steps are not to be divided goes on where lighte
   CHECK(simulation.settings().unstable_step == UnstableStep::divide);
   simulation.restore(start);
   CHECK(simulation.settings().unstable_step == UnstableStep::refuse);
+}
+
+TEST_CASE("tearing: a mesh that is in use is not prepared again for the torn scene") {
+  using Shape = LookedUpShape<MeshDistance<float>>;
+  const ColliderShape mesh = test::box_mesh({0.5, 0.3, 0.7});
+  const LocalShape<float> first = local_shape<float>(mesh, 0.1, 1), second = local_shape<float>(mesh, 0.1, 1);
+  CHECK(std::get<Shape>(first).distances == std::get<Shape>(second).distances);
+  CHECK(std::get<Shape>(first).seen != std::get<Shape>(second).seen);
+  const LocalShape<float> other = local_shape<float>(mesh, 0.2, 1);
+  CHECK(std::get<Shape>(first).distances != std::get<Shape>(other).distances);
 }
 
 TEST_CASE("tearing: values that make no sense are refused with a reason") {
