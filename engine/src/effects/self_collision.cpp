@@ -313,6 +313,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// returns how many contacts of pairs there are then.
   std::size_t add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
     obstacle_velocity_.clear();
+    if (obstacles_.size() == 0) return contacts.size();
     const auto pairs = std::ptrdiff_t(contacts.size());
     for (const Index i : sweeps_.particles()) {
       const auto others = std::ptrdiff_t(contacts.size());
