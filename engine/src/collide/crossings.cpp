@@ -48,6 +48,29 @@ std::optional<Crossing> crossing_of(const Surface& surface, Index edge, Index tr
       edge, triangle, before / (before - after), {turns[0] / sum, turns[1] / sum, turns[2] / sum}};
 }
 
+/// Whether an edge and a triangle lie further apart than so much along an axis of any length [m]: then they
+/// are.
+bool are_apart_along(const Vec3& axis, const std::array<Vec3, 2>& edge, const std::array<Vec3, 3>& triangle,
+                     double distance) {
+  const auto [low, high] = std::minmax({axis.dot(edge[0]), axis.dot(edge[1])});
+  const auto [other_low, other_high] =
+      std::minmax({axis.dot(triangle[0]), axis.dot(triangle[1]), axis.dot(triangle[2])});
+  const double gap = std::max(other_low - high, low - other_high);
+  return gap > 0.0 && gap * gap > distance * distance * axis.squaredNorm();
+}
+
+/// Looks along the normal of the triangle and those of all edges in its plane: what lies flat beside it is
+/// told from what is near it, which boxes do not tell.
+bool are_apart(const Places& x, const Edge& edge, const Triangle& triangle, double distance) {
+  const std::array ends{x[edge.first], x[edge.second]};
+  const std::array corners{x[triangle[0]], x[triangle[1]], x[triangle[2]]};
+  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const auto along = [&](const Vec3& axis) { return are_apart_along(axis, ends, corners, distance); };
+  return along(normal) || along(normal.cross(corners[1] - corners[0])) ||
+         along(normal.cross(corners[2] - corners[1])) || along(normal.cross(corners[0] - corners[2])) ||
+         along(normal.cross(ends[1] - ends[0]));
+}
+
 bool share_a_particle(const Edge& edge, const Triangle& triangle) {
   return std::any_of(triangle.begin(), triangle.end(),
                      [&](Index corner) { return corner == edge.first || corner == edge.second; });
@@ -82,22 +105,23 @@ void Crossings::look(const Places& start, const Places& end, double reach, Execu
     }
   });
   triangles_.build(boxes_);
+  const bool is_on_way = &start != &end;
   const auto add = [&](std::size_t edge, std::vector<EdgeAndTriangle>& near) {
     AxisBox box;
     for (const Index particle : {surface_.edges[edge].first, surface_.edges[edge].second})
       box.widen(start[particle]), box.widen(end[particle]);
-    look_at_edge(Index(edge), box, near);
+    const auto may_cross = [&](Index triangle) {
+      const Edge& pair = surface_.edges[edge];
+      const Triangle& corners = surface_.triangles[triangle];
+      return !share_a_particle(pair, corners) && (is_on_way || !are_apart(end, pair, corners, reach));
+    };
+    const std::size_t first = near.size();
+    triangles_.for_each_meeting(box, 0, [&](Index triangle) {
+      if (may_cross(triangle)) near.emplace_back(Index(edge), triangle);
+    });
+    std::sort(near.begin() + std::ptrdiff_t(first), near.end());
   };
   gather_in_runs(surface_.edges.size(), near_runs_, near_, add, executor);
-}
-
-void Crossings::look_at_edge(Index edge, const AxisBox& box, std::vector<EdgeAndTriangle>& near) const {
-  const std::size_t first = near.size();
-  triangles_.for_each_meeting(box, 0, [&](Index triangle) {
-    if (!share_a_particle(surface_.edges[edge], surface_.triangles[triangle]))
-      near.emplace_back(edge, triangle);
-  });
-  std::sort(near.begin() + std::ptrdiff_t(first), near.end());
 }
 
 const std::vector<Crossing>& Crossings::find(const Places& places, Executor& executor) {

@@ -26,7 +26,7 @@ class Crossings {
   explicit Crossings(const Surface& surface) : surface_(surface) {}
 
   /// Looks which edges and triangles get within `reach` [m] of each other on straight ways from `start` to
-  /// `end`; only those are tested, until the next look.
+  /// `end`, which may be one; only those are tested, until the next look.
   void look(const Places& start, const Places& end, double reach, Executor& executor);
 
   /// Whether there is nothing to test.
@@ -40,8 +40,6 @@ class Crossings {
 
  private:
   using EdgeAndTriangle = std::pair<Index, Index>;
-
-  void look_at_edge(Index edge, const AxisBox& box, std::vector<EdgeAndTriangle>& near) const;
 
   const Surface& surface_;
   std::vector<AxisBox> boxes_;
