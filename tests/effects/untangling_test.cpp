@@ -64,7 +64,7 @@ Traced trace(const Scene& scene) {
   ClosePairs near(surface, scene.particles.position, 1e-3);
   near.find(scene.particles.position, scene.particles.position, 0.0, *executor);
   Crossings crossings(surface);
-  crossings.look(near.edge_boxes(), near.triangle_boxes(), *executor);
+  crossings.look(near.edge_boxes(), near.triangle_boxes(), &scene.particles.position, 0.0, *executor);
   const std::vector<Crossing>& found = crossings.find(scene.particles.position, *executor);
   IntersectionCurves curves(surface);
   std::set<Index> numbers;
@@ -127,13 +127,13 @@ TEST_CASE("untangling: what crosses in a closed curve gets ever fewer crossings,
   }
 }
 
+/// The others of this kind are in hard case 31: they take longer.
 TEST_CASE("untangling: what crosses in an open curve or a small loop is free within 60 frames") {
-  Settings settings = frames;
-  settings.method = Xpbd{};
-  for (const Tangle& tangle : tangles) {
-    CAPTURE(tangle.name);
-    if (!tangle.is_closed) CHECK(crossings_of_frames(tangle.make(), settings, 60).back() == 0);
-  }
+  Settings fast = frames;
+  fast.method = Xpbd{};
+  for (const Scene& scene : {bbii_tangle(), bibi_tangle()})
+    CHECK(crossings_of_frames(scene, fast, 60).back() == 0);
+  CHECK(crossings_of_frames(ll_tangle(), frames, 60).back() == 0);
 }
 
 TEST_CASE("untangling: what cannot be drawn apart is told") {

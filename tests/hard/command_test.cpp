@@ -86,7 +86,7 @@ TEST_CASE("scenes are written as files that the program reads") {
   TemporaryFolder folder;
   REQUIRE(run_hooke({"hard", "--quick", "--write", folder.path().string()}).exit_code == 0);
   const std::set<std::string> names = names_in(folder);
-  CHECK(names.size() == 24);
+  CHECK(names.size() == 26);
   for (const std::string& name : names) {
     CAPTURE(name);
     CHECK(run_hooke({"check", (folder.path() / name).string()}).exit_code == 0);

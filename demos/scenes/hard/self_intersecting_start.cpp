@@ -64,7 +64,7 @@ Result run(const Method& method, Extent extent) {
     judge.at_most("crossings left of closed curves", double(left_of_closed), 0.0);
     judge.at_most("frames after which these had grown", double(rises), 0.0);
     judge.at_most("highest speed, RMS, over that at which cloth is drawn apart", speed / drawing_speed, 1.0);
-    if (!left.empty()) judge.flag("told that it cannot, crossings left:" + left);
+    if (!left.empty()) judge.flag("told that it has not by then, crossings left:" + left);
     const Settings settings = asked_of(method, first, frame);
     judge_same_bits(judge, first, settings, 3);
     judge_step_division(judge, first, settings);

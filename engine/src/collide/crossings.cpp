@@ -48,6 +48,29 @@ std::optional<Crossing> crossing_of(const Surface& surface, Index edge, Index tr
       edge, triangle, before / (before - after), {turns[0] / sum, turns[1] / sum, turns[2] / sum}};
 }
 
+/// Whether an edge and a triangle lie further apart than so much along an axis of any length [m]: then they
+/// are.
+bool are_apart_along(const Vec3& axis, const std::array<Vec3, 2>& edge, const std::array<Vec3, 3>& triangle,
+                     double distance) {
+  const auto [low, high] = std::minmax({axis.dot(edge[0]), axis.dot(edge[1])});
+  const auto [other_low, other_high] =
+      std::minmax({axis.dot(triangle[0]), axis.dot(triangle[1]), axis.dot(triangle[2])});
+  const double gap = std::max(other_low - high, low - other_high);
+  return gap > 0.0 && gap * gap > distance * distance * axis.squaredNorm();
+}
+
+/// Looks along the normal of the triangle and those of all edges in its plane: what lies flat beside it is
+/// told from what is near it, which boxes do not tell.
+bool are_apart(const Places& x, const Edge& edge, const Triangle& triangle, double distance) {
+  const std::array ends{x[edge.first], x[edge.second]};
+  const std::array corners{x[triangle[0]], x[triangle[1]], x[triangle[2]]};
+  const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const auto along = [&](const Vec3& axis) { return are_apart_along(axis, ends, corners, distance); };
+  return along(normal) || along(normal.cross(corners[1] - corners[0])) ||
+         along(normal.cross(corners[2] - corners[1])) || along(normal.cross(corners[0] - corners[2])) ||
+         along(normal.cross(ends[1] - ends[0]));
+}
+
 bool share_a_particle(const Edge& edge, const Triangle& triangle) {
   return std::any_of(triangle.begin(), triangle.end(),
                      [&](Index corner) { return corner == edge.first || corner == edge.second; });
@@ -71,7 +94,13 @@ void gather_in_runs(std::size_t count, std::vector<std::vector<Item>>& runs, std
 
 }  // namespace
 
-void Crossings::look(const BoxTree& edges, const BoxTree& triangles, Executor& executor) {
+void Crossings::look(const BoxTree& edges, const BoxTree& triangles, const Places* at, double distance,
+                     Executor& executor) {
+  const auto may_cross = [&](Index edge, Index triangle) {
+    const Edge& ends = surface_.edges[edge];
+    const Triangle& corners = surface_.triangles[triangle];
+    return !share_a_particle(ends, corners) && (at == nullptr || !are_apart(*at, ends, corners, distance));
+  };
   near_runs_.resize(edges.groups());
   executor.parallel_for(edges.groups(), groups_at_once, [&](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
@@ -79,8 +108,7 @@ void Crossings::look(const BoxTree& edges, const BoxTree& triangles, Executor& e
       run.near.clear();
       triangles.for_each_meeting(edges, g, run.groups, [&](std::size_t place, Index triangle) {
         const Index edge = edges.group(g)[place];
-        if (!share_a_particle(surface_.edges[edge], surface_.triangles[triangle]))
-          run.near.emplace_back(edge, triangle);
+        if (may_cross(edge, triangle)) run.near.emplace_back(edge, triangle);
       });
     }
   });

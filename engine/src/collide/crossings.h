@@ -25,8 +25,10 @@ class Crossings {
  public:
   explicit Crossings(const Surface& surface) : surface_(surface) {}
 
-  /// Looks which edges and triangles have boxes that meet; only those are tested, until the next look.
-  void look(const BoxTree& edges, const BoxTree& triangles, Executor& executor);
+  /// Looks which edges and triangles have boxes that meet; only those are tested, until the next look. Where
+  /// boxes are around one place of each, `at`, what is further apart there than `distance` [m] is left out.
+  void look(const BoxTree& edges, const BoxTree& triangles, const Places* at, double distance,
+            Executor& executor);
 
   /// Whether there is nothing to test.
   bool none_near() const { return near_.empty(); }

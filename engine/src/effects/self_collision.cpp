@@ -130,8 +130,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
             {"position", "velocity", "mass", "triangles"},
             {"position", "velocity"},
             places * sizeof(Vec3) + (free_mass_.capacity() + inverse_mass_.capacity()) * sizeof(double) +
-                close_pairs_.bytes() + bound_.bytes() + (untangling_ ? untangling_->bytes() : 0) +
-                narrow_phase_.bytes() + sweeps_.bytes() + obstacles_.bytes()};
+                is_pinched_.capacity() + kept_apart_.capacity() * sizeof(ClosePair) + close_pairs_.bytes() +
+                bound_.bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() +
+                sweeps_.bytes() + obstacles_.bytes()};
   }
 
  private:
@@ -227,8 +228,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     const double reach = NarrowPhase::active_distance(collision_.thickness) + margin_;
     pairs_ = pairs_hold_ ? &close_pairs_.find(looked_, looked_, reach, executor)
                          : &close_pairs_.find(start_, end_, reach, executor);
-    if (untangling_)
-      untangling_->crossings().look(close_pairs_.edge_boxes(), close_pairs_.triangle_boxes(), executor);
+    if (untangling_) {
+      untangling_->crossings().look(close_pairs_.edge_boxes(), close_pairs_.triangle_boxes(),
+                                    pairs_hold_ ? &looked_ : nullptr, margin_, executor);
+    }
     for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
     is_crowd_ = double(pairs_->size()) > crowd * double(surface_.corners.size());
   }
@@ -343,52 +346,53 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return furthest;
   }
 
-  /// What lies on a collider is not pushed into it: it carries what lies on it. What is pinched is not moved;
+  /// What lies on a collider is not pushed into it: it carries what lies on it. Leaves out what is pinched;
   /// returns how many contacts of pairs there are then.
   std::size_t add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
-    obstacle_velocity_.clear();
-    const auto pairs = std::ptrdiff_t(contacts.size());
-    for (const Index i : sweeps_.particles()) {
-      const auto others = std::ptrdiff_t(contacts.size());
-      std::size_t deep_in = 0;
-      for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
-        const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
-        if (!(surface.gap < collision_.thickness)) continue;
-        deep_in += is_deep(surface) ? 1 : 0;
-        contacts.push_back({{i, i, i, i},
-                            {1.0, 0.0, 0.0, 0.0},
-                            surface.outwards,
-                            surface.outwards.dot(end_[i]) - std::max(surface.gap, 0.0),
-                            start_[i] + h * surface.velocity,
-                            surface.friction});
-        obstacle_velocity_.push_back(surface.velocity);
-      }
-      if (deep_in < 2) continue;
-      hold(i);
-      contacts.erase(contacts.begin() + others, contacts.end());
-      obstacle_velocity_.resize(std::size_t(others - pairs));
+    on_obstacles_.clear(), obstacle_velocity_.clear();
+    if (obstacles_.size() > 0) {
+      for (const Index i : sweeps_.particles()) find_obstacles_at(i, h);
+      std::erase_if(contacts, [&](const SurfaceContact& contact) {
+        return takes_pinched(contact) || is_squeezed(contact);
+      });
     }
-    const std::vector<SurfaceContact> obstacles(contacts.begin() + pairs, contacts.end());
-    const auto left =
-        std::remove_if(contacts.begin(), contacts.begin() + pairs, [&](const SurfaceContact& contact) {
-          return takes_pinched(contact) || is_squeezed(contact, obstacles);
-        });
-    const auto count = std::size_t(left - contacts.begin());
-    contacts.erase(left, contacts.begin() + pairs);
-    return count;
+    const std::size_t pairs = contacts.size();
+    contacts.insert(contacts.end(), on_obstacles_.begin(), on_obstacles_.end());
+    return pairs;
+  }
+
+  void find_obstacles_at(Index i, double h) {
+    const std::size_t others = on_obstacles_.size();
+    std::size_t deep_in = 0;
+    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
+      const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
+      if (!(surface.gap < collision_.thickness)) continue;
+      deep_in += is_deep(surface) ? 1 : 0;
+      on_obstacles_.push_back({{i, i, i, i},
+                               {1.0, 0.0, 0.0, 0.0},
+                               surface.outwards,
+                               surface.outwards.dot(end_[i]) - std::max(surface.gap, 0.0),
+                               start_[i] + h * surface.velocity,
+                               surface.friction});
+      obstacle_velocity_.push_back(surface.velocity);
+    }
+    if (deep_in < 2) return;
+    hold(i);
+    on_obstacles_.erase(on_obstacles_.begin() + std::ptrdiff_t(others), on_obstacles_.end());
+    obstacle_velocity_.resize(others);
   }
 
   /// Whether two pieces are so near that there is no room for both between solids that they lie on: these
   /// hold each against the push of the other.
-  bool is_squeezed(const SurfaceContact& contact, const std::vector<SurfaceContact>& obstacles) const {
+  bool is_squeezed(const SurfaceContact& contact) const {
     if (!(contact.gap(end_) < 0.0)) return false;
     const auto is_held = [&](double side) {
       for (std::size_t k = 0; k < 4; ++k) {
         if (!(side * contact.weights[k] > 0.0)) continue;
         auto on = std::lower_bound(
-            obstacles.begin(), obstacles.end(), contact.particles[k],
+            on_obstacles_.begin(), on_obstacles_.end(), contact.particles[k],
             [](const SurfaceContact& a, Index particle) { return a.particles[0] < particle; });
-        for (; on != obstacles.end() && on->particles[0] == contact.particles[k]; ++on) {
+        for (; on != on_obstacles_.end() && on->particles[0] == contact.particles[k]; ++on) {
           if (side * contact.normal.dot(on->normal) < -0.5) return true;
         }
       }
@@ -490,7 +494,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   std::optional<Untangling> untangling_;
   std::vector<ClosePair> kept_apart_;
   std::vector<SurfaceContact> touching_;
-  std::vector<Vec3> obstacle_velocity_;  ///< of the last contacts, which are those with obstacles [m/s]
+  std::vector<SurfaceContact> on_obstacles_;  ///< the last contacts, sorted by particle
+  std::vector<Vec3> obstacle_velocity_;       ///< of each of these [m/s]
   Places before_;
   std::size_t left_ = 0, crossings_ = 0;
   const std::vector<ClosePair> no_pairs_;
