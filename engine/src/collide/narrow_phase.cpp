@@ -137,7 +137,8 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
     return;
   }
   contact.held = contact.sum(step.start);
-  if (time == 1.0) contact.least = least_distance(pair, contact.normal.dot(contact.held));
+  // What would pass goes back to where it came near, and not all the way to its thickness either.
+  contact.least = least_distance(pair, time < 1.0 ? distance : contact.normal.dot(contact.held));
   run.contacts.push_back(contact);
   run.passed = run.passed || time < 1.0;
 }
