@@ -2,21 +2,24 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "scenes/hard/asked_method.h"
 #include "scenes/hard/cases.h"
 #include "scenes/hard/common_criteria.h"
-#include "scenes/hard/crossings.h"
+#include "scenes/hard/contact_watch.h"
 #include "scenes/hard/shapes.h"
 
 namespace hooke::hard {
 namespace {
 
-constexpr double step = 0.04, speed = 0.3;                            // [s], [m/s]
-constexpr int frames = 80;
-constexpr double thickness = 0.004, friction = 0.4;                   // [m], [1]
-constexpr double neck = 0.1, bell = 0.3, flare = 75.0, spout = -0.1;  // [m], of the flare [deg]
-constexpr double wall = 0.03, ground_height = -0.7;                   // [m]
+constexpr double step = 0.04 / 8, speed = 0.3;  // [s], [m/s]
+constexpr int frames = 80, steps_of_frame = 8;
+constexpr double time = step * frames * steps_of_frame;                // [s]
+constexpr double thickness = 0.003, friction = 0.4;                    // [m], [1]
+constexpr double neck = 0.13, bell = 0.3, flare = 75.0, spout = -0.1;  // [m], of the flare [deg]
+constexpr double wall = 0.03, ground_height = -0.7;                    // [m]
 
 /// A point of the funnel's inner side, or of one that lies `behind` it, as distance from the axis and height:
 /// the spout is straight, and opens in an arc of a circle.
@@ -57,8 +60,7 @@ MeshShape funnel_mesh() {
 
 /// A tetrahedron that stands on its corner, and is lowered.
 void add_pusher(Scene& scene, double height) {
-  const std::vector<Keyframe> path{{0.0, Vec3::Zero()},
-                                   {step * frames, Vec3(0.0, -speed * step * frames, 0.0)}};
+  const std::vector<Keyframe> path{{0.0, Vec3::Zero()}, {time, Vec3(0.0, -speed * time, 0.0)}};
   std::vector<Index> corners;
   const auto add_corner = [&](const Vec3& place) {
     corners.push_back(scene.add_particle(0.01, place));
@@ -67,7 +69,7 @@ void add_pusher(Scene& scene, double height) {
   add_corner({0.0, height, 0.0});
   for (const double degrees : {0.0, 120.0, 240.0}) {
     const double angle = degrees * std::numbers::pi / 180.0;
-    add_corner({0.07 * std::cos(angle), height + 0.1, 0.07 * std::sin(angle)});
+    add_corner({0.06 * std::cos(angle), height + 0.1, 0.06 * std::sin(angle)});
   }
   for (const auto& [a, b, c] : {Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
     scene.triangles.push_back({corners[a], corners[b], corners[c]});
@@ -75,13 +77,13 @@ void add_pusher(Scene& scene, double height) {
 
 Scene make(Extent extent) {
   Scene scene;
-  const Index side = extent == Extent::whole ? 16 : 10;
-  for (int i = 0; i < 3; ++i) add_level_cloth(scene, side, 0.4, {0.0, 0.3 + 0.01 * i, 0.0}, 45.0 * i);
+  const Index side = extent == Extent::whole ? 16 : 8;
+  const double width = extent == Extent::whole ? 0.4 : 0.3;
+  for (int i = 0; i < 3; ++i) add_level_cloth(scene, side, width, {0.0, 0.3 + 0.01 * i, 0.0}, 45.0 * i, 26.0);
   add_pusher(scene, 0.34);
   const Collider solid{.shape = funnel_mesh(), .thickness = 0.5 * thickness, .friction = friction};
-  const Collider ground{.shape = PlaneShape{Vec3::UnitY(), ground_height},
-                        .thickness = 0.5 * thickness,
-                        .friction = friction};
+  const Collider ground{
+      .shape = PlaneShape{Vec3::UnitY(), ground_height}, .thickness = 0.5 * thickness, .friction = friction};
   scene.effects = {Gravity{}, Drag{1e-5}, solid, ground,
                    SelfCollision{.thickness = thickness, .friction = friction}};
   return scene;
@@ -109,39 +111,42 @@ double least_gap(const Scene& scene, const std::vector<Vec3>& positions) {
 
 double highest(const Scene& scene, const std::vector<Vec3>& positions) {
   double highest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 4 < scene.particles.size(); ++i)
-    highest = std::max(highest, positions[i].y());
+  for (std::size_t i = 0; i + 4 < scene.particles.size(); ++i) highest = std::max(highest, positions[i].y());
   return highest;
 }
 
 Result run(const Method& method, Extent extent) {
   const Scene scene = make(extent);
   const auto drive = [&](WatchedRun<double>& run, Judge& judge) {
-    std::size_t crossings = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < frames && run.take(1); ++i) {
-      crossings = std::max(crossings, count_crossings(run.positions(), scene.triangles));
+    ContactWatch watch(scene, 0.5);
+    double least = std::numeric_limits<double>::infinity(), top = least;
+    for (int i = 0; i < frames && top > spout && run.take(steps_of_frame) && watch.look(run); ++i) {
       least = std::min(least, least_gap(scene, run.positions()));
-      if (getenv("TRACE")) printf("%d cross %zu left %lu gap %.4f high %.3f strain %.3f E %.4f\n", i, crossings, run.contacts_left(), least, highest(scene, run.positions()), run.simulation().max_strain(), run.simulation().energy().total());
+      top = highest(scene, run.positions());
     }
-    judge.at_most("edges through triangles, in any frame", double(crossings), 0.0);
-    judge.at_most("height of the highest particle at the end [m]", highest(scene, run.positions()), spout);
+    judge.at_most("height of the highest particle at the end [m]", top, spout);
     judge.at_least("least distance to a solid, over its thickness", least / (0.5 * thickness), -1.0);
+    watch.judge(judge);
   };
   return judged(scene, asked_of(method, scene, step), 5, drive);
 }
 
 }  // namespace
 
-const HardCase funnel{
-    25,
-    "funnel",
-    "",
-    "",
-    "",
-    step,
-    make,
-    run,
-    true};
+const HardCase funnel{25,
+                      "funnel",
+                      "Three square sheets of 0.4 m, 16 x 16 particles each (quick: 0.3 m, 8 x 8), turned by "
+                      "0, 45 and 90 degrees, lie in a funnel, "
+                      "a mesh whose bell of 0.3 m radius narrows to a spout of 0.13 m radius. A tetrahedron "
+                      "pushes them through at 0.3 m/s. Cotton "
+                      "of 26 N/m, thickness 3 mm, mu 0.4. C-IPC's 80 steps of 0.04 s, each in eight.",
+                      "All cloth is below the spout within 80 steps. No edge passes through a triangle in "
+                      "any, nothing is in a solid by more than its "
+                      "thickness, of springs their middles too, and none is longer by more than 50 %.",
+                      "",
+                      step,
+                      make,
+                      run,
+                      true};
 
 }  // namespace hooke::hard

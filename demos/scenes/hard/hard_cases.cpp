@@ -27,9 +27,13 @@ std::span<const HardCase> hard_cases() {
                               over_constrained,
                               long_oscillation,
                               stiff_damper,
+                              twisted_cylinder,
                               rotating_sphere,
+                              funnel,
                               needles,
                               table_cloth,
+                              reef_knot,
+                              stack,
                               pinch,
                               self_intersecting_start,
                               incline_friction};

@@ -27,13 +27,14 @@ Sheet hung_sheet(Index side, double damping) {
   return made;
 }
 
-GridParticles add_level_cloth(Scene& scene, Index side, double width, const Vec3& middle, double degrees) {
+GridParticles add_level_cloth(Scene& scene, Index side, double width, const Vec3& middle, double degrees,
+                              double stretch) {
   const GridParticles cloth = add(scene, ClothGrid{.columns = side,
                                                    .rows = side,
                                                    .spacing = width / double(side - 1),
                                                    .areal_density = 0.15,
-                                                   .stretch = 100.0,
-                                                   .shear = 50.0,
+                                                   .stretch = stretch,
+                                                   .shear = 0.5 * stretch,
                                                    .bend = 0.0,
                                                    .damping = 0.005});
   const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180.0, Vec3::UnitY());

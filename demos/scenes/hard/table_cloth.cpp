@@ -119,7 +119,6 @@ const HardCase table_cloth{
     "How far blocks go at 1 m/s, which is told.",
     step,
     make,
-    run,
-    true};
+    run};
 
 }  // namespace hooke::hard
