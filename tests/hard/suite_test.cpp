@@ -50,7 +50,8 @@ std::vector<Verdict> run_some() {
 
 }  // namespace
 
-TEST_CASE("the cases are 1 to 22, 24 and 30 to 32, each described, with a criterion and a scene without faults") {
+TEST_CASE(
+    "the cases are 1 to 22, 24 and 30 to 32, each described, with a criterion and a scene without faults") {
   std::set<int> numbers;
   std::set<std::string_view> names;
   for (const HardCase& one : hard_cases()) {
