@@ -104,6 +104,8 @@ std::vector<PricedEffect> priced_effects(Index columns) {
       {"frame_attachment", sheet, FrameAttachment{.particles = some}, particle, of_some},
       {"stitch", sheet, pairs_of(some), "pair", of_some / 2.0},
       {"self_collision (nothing near)", sheet, SelfCollision{.thickness = 1e-5}, particle, particles},
+      {"particle_contact (nothing near)", sheet, ParticleContact{.radius = {0.001}}, particle, particles},
+      {"tearing (nothing torn)", sheet, Tearing{.strain = 10.0}, spring, springs},
       {"motion_script", sheet, MotionScript{some, {{0.0, {0, 0, 0}}, {1e3, {0.01, 0, 0}}}}, particle,
        of_some},
   };

@@ -33,6 +33,11 @@ Painter::~Painter() = default;
 Painter::Painter(Painter&&) noexcept = default;
 Painter& Painter::operator=(Painter&&) noexcept = default;
 
+void Painter::change(Subject subject) {
+  const OffscreenContext::Current current(parts_->context);
+  parts_->renderer.emplace(std::move(subject));
+}
+
 Image Painter::paint(std::span<const float> positions, const Camera& camera, const Look& look) {
   const OffscreenContext::Current current(parts_->context);
   parts_->renderer->upload(positions);

@@ -21,6 +21,9 @@ class Painter {
   Painter(Painter&&) noexcept;
   Painter& operator=(Painter&&) noexcept;
 
+  /// Draws another subject from now on.
+  void change(Subject subject);
+
   /// A picture of the subject with these positions: x, y, z of each particle [m], in the user's numbering.
   Image paint(std::span<const float> positions, const Camera& camera, const Look& look);
 

@@ -65,16 +65,20 @@ bool has_lone_particles(const Subject& subject) {
 
 }  // namespace
 
-Subject subject_of(const Scene& scene) {
-  Subject subject;
-  subject.particles = scene.particles.size();
-  subject.triangles = scene.triangles;
-  subject.springs.reserve(scene.springs.size());
-  subject.rest_lengths.reserve(scene.springs.size());
-  for (std::size_t s = 0; s < scene.springs.size(); ++s) {
-    subject.springs.push_back({scene.springs.first[s], scene.springs.second[s]});
-    subject.rest_lengths.push_back(float(scene.springs.rest_length[s]));
+Subject torn_subject(Subject subject, const Scene& torn) {
+  subject.particles = torn.particles.size();
+  subject.triangles = torn.triangles;
+  subject.springs.clear();
+  subject.rest_lengths.clear();
+  for (std::size_t s = 0; s < torn.springs.size(); ++s) {
+    subject.springs.push_back({torn.springs.first[s], torn.springs.second[s]});
+    subject.rest_lengths.push_back(float(torn.springs.rest_length[s]));
   }
+  return subject;
+}
+
+Subject subject_of(const Scene& scene) {
+  Subject subject = torn_subject({}, scene);
   for (const Pin& pin : scene.pins) subject.pins.push_back(pin.particle);
   for (const Effect& effect : scene.effects) {
     const auto* collider = std::get_if<Collider>(&effect);

@@ -25,6 +25,9 @@ struct Subject {
 
 Subject subject_of(const Scene& scene);
 
+/// The subject of a scene after that has torn.
+Subject torn_subject(Subject subject, const Scene& torn);
+
 /// The ground planes, and the planes that are colliders, where these are at the start.
 std::vector<GroundPlane> grounds_of(const std::vector<Effect>& effects);
 

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include <hooke/simulation.h>
 
 #include "program/frame_schedule.h"
 #include "program/recording.h"
+#include "writers/seen_tears.h"
 
 namespace hooke::program {
 
@@ -35,6 +38,9 @@ class Film {
 
   Recording& recording() { return recording_; }
 
+  /// The scene as it had torn at a moment; null where it had not.
+  std::shared_ptr<const Scene> torn_at(std::size_t moment) const;
+
  private:
   template <class Real>
   void take(const Simulation<Real>& simulation);
@@ -42,6 +48,8 @@ class Film {
   FrameSchedule schedule_;
   Recording recording_;
   std::vector<float> positions_;
+  SeenTears torn_;
+  std::map<std::size_t, std::shared_ptr<const Scene>> torn_from_;  ///< by the first moment that shows it
   std::uint64_t last_step_ = 0;
 };
 

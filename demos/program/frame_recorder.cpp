@@ -13,7 +13,8 @@ void FrameRecorder<Real>::record(const Simulation<Real>& simulation) {
     velocities_.resize(simulation.particle_count());
     simulation.copy_positions(positions_.data()->data(), sizeof(Vec3));
     simulation.copy_velocities(velocities_.data()->data(), sizeof(Vec3));
-    writer_->write({simulation.time(), positions_, velocities_});
+    torn_.look_at(simulation);
+    writer_->write({simulation.time(), positions_, velocities_, torn_.scene().get()});
   }
   last_step_ = simulation.steps();
   ++frames_;

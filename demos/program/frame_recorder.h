@@ -7,6 +7,7 @@
 #include <hooke/simulation.h>
 
 #include "writers/frame_writer.h"
+#include "writers/seen_tears.h"
 
 namespace hooke::program {
 
@@ -27,6 +28,7 @@ class FrameRecorder {
  private:
   FrameWriter* writer_;
   std::vector<Vec3> positions_, velocities_;
+  SeenTears torn_;
   std::size_t frames_ = 0;
   std::uint64_t last_step_ = 0;
   double max_strain_ = 0.0;

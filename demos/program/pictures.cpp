@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -70,9 +71,10 @@ class SceneView {
     camera_.field_of_view = 2.0 * std::atan(std::tan(0.5 * camera_.field_of_view) / zoom_);
   }
 
-  picture::Image draw(Recording& recording, std::size_t moment) {
-    look_.time = recording.time(moment);
-    return painter_.paint(recording.positions(moment), camera_, look_);
+  picture::Image draw(Film& film, std::size_t moment) {
+    show(film.torn_at(moment));
+    look_.time = film.recording().time(moment);
+    return painter_.paint(film.recording().positions(moment), camera_, look_);
   }
 
   std::string driver() const { return painter_.driver(); }
@@ -83,11 +85,19 @@ class SceneView {
         camera_{.up = subject.up},
         surroundings_(surroundings(subject)),
         aspect_(double(width) / double(height)),
-        painter_(std::move(subject), width, height) {
+        painter_(subject, width, height),
+        whole_(std::move(subject)) {
     if (!options) return;
     camera_.azimuth = options->azimuth * std::numbers::pi / 180.0;
     camera_.elevation = options->elevation * std::numbers::pi / 180.0;
     zoom_ = options->zoom;
+  }
+
+  /// The scene as it has torn; null: whole.
+  void show(const std::shared_ptr<const Scene>& torn) {
+    if (torn == torn_) return;
+    painter_.change(torn ? picture::torn_subject(whole_, *torn) : whole_);
+    torn_ = torn;
   }
 
   picture::Look look_;
@@ -95,6 +105,8 @@ class SceneView {
   picture::Subject surroundings_;
   double zoom_ = 1.0, aspect_;
   picture::Painter painter_;
+  picture::Subject whole_;
+  std::shared_ptr<const Scene> torn_;
 };
 
 /// A file that can be written, which is to be known before a long run.
@@ -119,12 +131,13 @@ class Still {
     return FrameSchedule(file.seconds, file.settings.step, (moments - 1) / file.seconds);
   }
 
-  void draw(Recording& recording, bool went_bad) {
+  void draw(Film& film, bool went_bad) {
+    Recording& recording = film.recording();
     const std::vector<std::size_t> moments = moments_to_show(recording, went_bad);
     view_.look_at(recording, moments);
     const std::vector<std::string> labels = labels_of(recording, moments);
     for (std::size_t cell = 0; cell < moments.size(); ++cell)
-      sheet_.place(static_cast<int>(cell), view_.draw(recording, moments[cell]), labels[cell]);
+      sheet_.place(static_cast<int>(cell), view_.draw(film, moments[cell]), labels[cell]);
     picture::write_png(file_, sheet_.image());
   }
 
@@ -169,13 +182,14 @@ class SceneMovie {
     return FrameSchedule(file.seconds, file.settings.step, file.fps);
   }
 
-  void draw(Recording& recording, bool went_bad, const Interruption& interruption, ProgressBar& progress) {
+  void draw(Film& film, bool went_bad, const Interruption& interruption, ProgressBar& progress) {
+    Recording& recording = film.recording();
     const std::vector<std::size_t> moments = moments_to_draw(recording, went_bad);
     view_.look_at(recording, moments);
     std::size_t drawn = 0;
     for (const std::size_t moment : moments) {
       if (drawn > 0 && interruption.signal() != 0) break;
-      movie_.add(view_.draw(recording, moment));
+      movie_.add(view_.draw(film, moment));
       progress.update(static_cast<double>(++drawn) / static_cast<double>(moments.size()));
     }
     movie_.finish();
@@ -208,11 +222,11 @@ class DrawnPictures final : public Pictures {
 
   void draw(bool went_bad, const Interruption& interruption, ProgressBar& progress) override {
     if (still_) {
-      still_->draw(films_.front().recording(), went_bad);
+      still_->draw(films_.front(), went_bad);
       files_.push_back(still_->file());
     }
     if (movie_) {
-      movie_->draw(films_.back().recording(), went_bad, interruption, progress);
+      movie_->draw(films_.back(), went_bad, interruption, progress);
       files_.push_back(movie_->file());
     }
   }

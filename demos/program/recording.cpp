@@ -35,10 +35,10 @@ std::FILE* file_without_name(const std::filesystem::path& folder) {
 }  // namespace
 
 Recording::Recording(std::size_t particles, const std::filesystem::path& folder)
-    : folder_(folder), file_(file_without_name(folder)), read_(3 * particles) {}
+    : folder_(folder), file_(file_without_name(folder)), particles_(particles) {}
 
 void Recording::add(double time, std::span<const float> positions) {
-  if (positions.size() != read_.size())
+  if (positions.size() < 3 * particles_ || positions.size() % 3 != 0)
     throw std::invalid_argument("Recording::add: " + std::to_string(positions.size()) +
                                 " numbers; give three for each particle");
   // What is still in a buffer may not fit on the disk, which is to be said now and not when it is drawn.
@@ -46,10 +46,12 @@ void Recording::add(double time, std::span<const float> positions) {
       std::fflush(file_.get()) != 0)
     cannot_write(folder_);
   times_.push_back(time);
+  begins_.push_back(begins_.back() + positions.size());
 }
 
 std::span<const float> Recording::positions(std::size_t moment) {
-  const auto offset = static_cast<off_t>(moment * read_.size() * sizeof(float));
+  const auto offset = static_cast<off_t>(begins_[moment] * sizeof(float));
+  read_.resize(begins_[moment + 1] - begins_[moment]);
   if (fseeko(file_.get(), offset, SEEK_SET) != 0 ||
       std::fread(read_.data(), sizeof(float), read_.size(), file_.get()) != read_.size() ||
       fseeko(file_.get(), 0, SEEK_END) != 0)

@@ -13,8 +13,8 @@ namespace hooke::program {
 /// process however that ends: those of a large cloth would not fit in memory.
 class Recording {
  public:
-  /// Of so many particles. The file is made in `folder` (empty: the current one), which must exist. Throws
-  /// WriteError, as add() does.
+  /// Of so many particles, or more as they are torn. The file is made in `folder` (empty: the current one),
+  /// which must exist. Throws WriteError, as add() does.
   Recording(std::size_t particles, const std::filesystem::path& folder);
 
   /// Takes x, y, z of each particle [m] at a time [s].
@@ -34,7 +34,9 @@ class Recording {
 
   std::filesystem::path folder_;
   std::unique_ptr<std::FILE, Close> file_;
+  std::size_t particles_;
   std::vector<double> times_;
+  std::vector<std::size_t> begins_{0};  ///< of each moment [numbers], and the end of the last
   std::vector<float> read_;
 };
 

@@ -23,13 +23,25 @@ bool same_place(const std::vector<GroundPlane>& a, const std::vector<GroundPlane
 
 SceneView::SceneView(const Scene& scene)
     : renderer_(picture::subject_of(scene)),
+      whole_(renderer_.subject()),
       look_(picture::look_for(renderer_.subject())),
       camera_(renderer_.subject().up),
       floor_(scene, renderer_.subject().up),
       pinned_(pinned_in(scene)) {}
 
+/// What is no longer pinned for being torn off is a new particle.
+void SceneView::show(std::shared_ptr<const Scene> torn) {
+  if (torn == torn_) return;
+  torn_ = std::move(torn);
+  picture::Subject subject = torn_ ? picture::torn_subject(whole_, *torn_) : whole_;
+  subject.grounds = renderer_.subject().grounds;
+  pinned_.resize(subject.particles, false);
+  renderer_ = picture::Renderer(std::move(subject));
+}
+
 void SceneView::take(const Moment& moment) {
   positions_ = moment.positions;
+  if (moment.in_force) show(moment.in_force->torn);
   renderer_.upload(positions_);
   look_.time = moment.time;
   floor_.make_room(positions_);

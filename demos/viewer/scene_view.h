@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -47,7 +48,11 @@ class SceneView {
   picture::Image image() const { return target_->image(); }
 
  private:
+  void show(std::shared_ptr<const Scene> torn);
+
   picture::Renderer renderer_;
+  picture::Subject whole_;             ///< before the scene has torn
+  std::shared_ptr<const Scene> torn_;  ///< null: whole
   picture::Look look_;
   CameraControl camera_;
   Floor floor_;

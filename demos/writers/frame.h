@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include <hooke/vec3.h>
+#include <hooke/scene.h>
 
 namespace hooke {
 
@@ -12,6 +12,7 @@ struct Frame {
   double time = 0.0;                 ///< [s]
   std::span<const Vec3> positions;   ///< [m]
   std::span<const Vec3> velocities;  ///< [m/s]
+  const Scene* torn = nullptr;       ///< the scene as it has torn; null where it has not
 };
 
 }  // namespace hooke

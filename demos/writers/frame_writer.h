@@ -33,7 +33,7 @@ class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
 
-  /// Adds a frame, with a position and a velocity for each particle of the scene.
+  /// Adds a frame, with a position and a velocity for each particle of the scene, or of what it has torn to.
   virtual void write(const Frame& frame) = 0;
 
   /// Completes the files after the last frame. Frames written so far are kept, however early this comes.

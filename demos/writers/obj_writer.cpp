@@ -11,6 +11,7 @@ ObjWriter::ObjWriter(const Scene& scene, WriterOptions options)
     : options_(std::move(options)), cells_(cells_of(scene)) {}
 
 void ObjWriter::write(const Frame& frame) {
+  if (frame.torn != nullptr) cells_ = cells_of(*frame.torn);
   const std::filesystem::path path = options_.folder / frame_name(options_.name, files_.size(), ".obj");
   write_obj_file(path, frame, cells_, options_.numbers);
   files_.push_back(path);

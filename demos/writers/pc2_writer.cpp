@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "writers/numbers.h"
@@ -33,6 +34,7 @@ void Pc2Writer::begin(const Frame& first) {
   const std::filesystem::path mesh = options_.folder / (options_.name + ".obj");
   write_obj_file(mesh, first, cells_, NumberType::float32);
   files_.push_back(mesh);
+  points_ = first.positions.size();
   Header header;
   header.points = static_cast<std::int32_t>(first.positions.size());
   cache_.emplace(entry());
@@ -41,6 +43,10 @@ void Pc2Writer::begin(const Frame& first) {
 
 void Pc2Writer::write(const Frame& frame) {
   if (!cache_) begin(frame);
+  if (frame.positions.size() != points_)
+    throw WriteError(entry(), "a point cache has one number of points, and the scene has torn, to " +
+                                  std::to_string(frame.positions.size()) + " particles from " +
+                                  std::to_string(points_) + "; use --format vtp or obj");
   coordinates_.clear();
   for (const Vec3& position : frame.positions) {
     for (const double coordinate : position) coordinates_.push_back(finite<float>(coordinate));

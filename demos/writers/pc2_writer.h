@@ -27,6 +27,7 @@ class Pc2Writer final : public FrameWriter {
   WriterOptions options_;
   Cells cells_;
   std::optional<AtomicFile> cache_;
+  std::size_t points_ = 0;  ///< of each frame
   std::int32_t samples_ = 0;
   std::vector<float> coordinates_;
   std::vector<std::filesystem::path> files_;

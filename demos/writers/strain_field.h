@@ -19,7 +19,7 @@ class StrainField {
   std::span<const double> at(std::span<const Vec3> positions);
 
  private:
-  const Springs& springs_;
+  const Springs* springs_;
   std::vector<double> strain_;
 };
 

@@ -11,6 +11,10 @@ VtpWriter::VtpWriter(const Scene& scene, WriterOptions options)
     : options_(std::move(options)), cells_(cells_of(scene)), strain_(scene) {}
 
 void VtpWriter::write(const Frame& frame) {
+  if (frame.torn != nullptr) {
+    cells_ = cells_of(*frame.torn);
+    strain_ = StrainField(*frame.torn);
+  }
   const std::string name = frame_name(options_.name, entries_.size(), ".vtp");
   write_vtp_file(options_.folder / name, frame, strain_.at(frame.positions), cells_, options_.numbers);
   files_.push_back(options_.folder / name);

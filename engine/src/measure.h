@@ -4,6 +4,7 @@
 #include <span>
 
 #include <hooke/report.h>
+#include <hooke/simulation.h>
 #include <hooke/vec3.h>
 
 #include "forces.h"
@@ -31,5 +32,11 @@ std::uint64_t hash_state(const State<Real>& state, const Order& order);
 /// A hash of the bits of some values, going on from another hash.
 template <class Real>
 std::uint64_t hash_values(std::span<const Real> values, std::uint64_t hash);
+
+/// A hash of the positions and velocities of a snapshot: MethodMemory::state.
+template <class Real>
+std::uint64_t hash_of_state(const Snapshot<Real>& snapshot) {
+  return hash_values<Real>(snapshot.velocities, hash_values<Real>(snapshot.positions, 0));
+}
 
 }  // namespace hooke

@@ -25,6 +25,7 @@ template <class Real>
 Sweep<Real> correction_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
   const auto run = [&forces, &scheme](const Substep<Real>& substep, Executor& executor) {
     substep.next.memory = substep.start.memory;
+    substep.next.pairs = substep.start.pairs;
     if (substep.stage + 1 == scheme.stages())
       forces.effects().correct(result_of(substep, scheme.last_kick()), executor);
   };

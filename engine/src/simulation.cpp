@@ -4,6 +4,7 @@
 #include <string>
 
 #include "simulation_parts.h"
+#include "tearing/longest_lengths.h"
 
 namespace hooke {
 namespace {
@@ -88,7 +89,11 @@ std::string_view to_string(OnTrouble choice) {
 
 template <class Real>
 Simulation<Real>::Simulation(const Scene& scene, Settings settings)
-    : parts_(std::make_unique<Parts>(scene, std::move(settings))) {}
+    : parts_(std::make_unique<Parts>(scene, std::move(settings))) {
+  if (!may_tear(scene)) return;
+  const auto start = std::make_shared<const Scene>(scene);
+  parts_->begin_tearing({start, start, {}, parts_->settings.unstable_step, {scene, parts_->model.order, {}}});
+}
 
 template <class Real>
 Simulation<Real>::~Simulation() = default;
@@ -99,13 +104,13 @@ Simulation<Real>& Simulation<Real>::operator=(Simulation&&) noexcept = default;
 
 template <class Real>
 Report Simulation<Real>::step(std::uint64_t count) {
-  return parts_->take_steps(count);
+  return parts_->tears ? Parts::take_tearing_steps(parts_, count) : parts_->take_steps(count);
 }
 
 template <class Real>
 Report Simulation<Real>::advance(double frame_seconds) {
   const Tick tick = parts_->clock.advance(frame_seconds);
-  Report report = parts_->take_steps(tick.steps);
+  Report report = step(tick.steps);
   report.interpolation = tick.interpolation;
   report.dropped_seconds = tick.dropped_seconds;
   if (tick.dropped_seconds > 0.0) report.flags |= flag_steps_dropped;
@@ -153,6 +158,20 @@ template <class Real>
 Index Simulation<Real>::engine_index(Index particle) const {
   require_particle("engine_index", particle, particle_count());
   return parts_->model.order.engine(particle);
+}
+
+template <class Real>
+std::span<const Triangle> Simulation<Real>::triangles() const {
+  return parts_->tears ? std::span<const Triangle>(parts_->tears->now->triangles)
+                       : std::span<const Triangle>{};
+}
+
+template <class Real>
+Index Simulation<Real>::origin(Index particle) const {
+  require_particle("origin", particle, particle_count());
+  if (!parts_->tears) return particle;
+  const std::size_t before = parts_->tears->start->particles.size();
+  return particle < before ? particle : parts_->tears->torn_from[particle - before];
 }
 
 template <class Real>

@@ -35,6 +35,7 @@ template <class Real>
 State<Real> start_of(const Scene& scene, const Model<Real>& model, const Forces<Real>& forces) {
   State<Real> start = initial_state(scene, model);
   start.memory = forces.effects().initial_memory();
+  start.pairs.resize(forces.effects().pair_lists());
   return start;
 }
 
@@ -42,10 +43,15 @@ State<Real> start_of(const Scene& scene, const Model<Real>& model, const Forces<
 
 template <class Real>
 Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
+    : Parts(scene, given, validated<Real>(scene, given), executor_of(given)) {}
+
+template <class Real>
+Simulation<Real>::Parts::Parts(const Scene& scene, Settings given, const StepBounds& bounds,
+                               std::shared_ptr<Executor> threads)
     : settings(std::move(given)),
-      stability(scene, validated<Real>(scene, settings)),
+      stability(scene, bounds),
       substeps(substeps_of(stability.bounds, settings)),
-      executor(executor_of(settings)),
+      executor(std::move(threads)),
       model(scene, settings.accumulation, *executor, solves_equations(settings.method)),
       forces(scene, model),
       scheme(settings.method, model.particles()),
@@ -204,10 +210,13 @@ void Simulation<Real>::Parts::take_solved_steps(std::uint64_t count, Report& rep
 }
 
 template <class Real>
-Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
+void Simulation<Real>::Parts::begin_report() {
   for (SweepTime& time : times) time.seconds = 0.0;
   forces.effects().forget_forces(states.now());
-  Report report;
+}
+
+template <class Real>
+void Simulation<Real>::Parts::take_steps(std::uint64_t count, Report& report) {
   if (controlled) {
     take_controlled_steps(count, report);
   } else if (solved) {
@@ -215,10 +224,22 @@ Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
   } else {
     take_watched_steps(count, report);
   }
+}
+
+template <class Real>
+void Simulation<Real>::Parts::end_report(Report& report) {
   if ((report.flags & flag_restored) == 0) report.step = steps + (report.ok() ? 0 : 1);
   report.time = states.now().time;
   report.sweeps = times;
   forces.effects().tell(report);
+}
+
+template <class Real>
+Report Simulation<Real>::Parts::take_steps(std::uint64_t count) {
+  begin_report();
+  Report report;
+  take_steps(count, report);
+  end_report(report);
   return report;
 }
 

@@ -18,6 +18,8 @@
 #include "stability/energy_watch.h"
 #include "stability/stability_report.h"
 #include "state_ring.h"
+#include "tearing/tears.h"
+#include "tearing/torn_scene.h"
 
 namespace hooke {
 
@@ -39,6 +41,7 @@ struct Simulation<Real>::Parts {
   WholeState<Real> whole;
   std::optional<ControlledSteps<Real>> controlled;  ///< of a method with error control
   std::optional<EnergyWatch<Real>> watch;           ///< of a run whose energy is watched
+  std::optional<Tears<Real>> tears;                 ///< of a scene that may tear
   Clock clock;
   std::uint64_t steps = 0;
   double time_at_step_0 = 0.0;  ///< [s] not zero after a snapshot from steps of another length
@@ -48,8 +51,25 @@ struct Simulation<Real>::Parts {
 
   Parts(const Scene& scene, Settings given);
 
+  /// Of a scene without faults, whose bounds are known; on the threads of another simulation.
+  Parts(const Scene& scene, Settings given, const StepBounds& bounds, std::shared_ptr<Executor> threads);
+
   /// Takes up to `count` steps; stops before one that goes bad, and reports it.
   Report take_steps(std::uint64_t count);
+
+  /// Likewise where the scene may tear: simulation_tearing.cpp. Each step is looked at, and where something
+  /// tears, `parts` become those of the torn scene.
+  static Report take_tearing_steps(std::unique_ptr<Parts>& parts, std::uint64_t count);
+
+  /// The scene is one that may tear.
+  void begin_tearing(Tears<Real> made);
+
+  /// New ones for the scene of a snapshot, at its start; null where it is the one that these are of. Throws
+  /// std::invalid_argument where this scene cannot have torn to that one.
+  std::unique_ptr<Parts> for_scene_of(const Snapshot<Real>& snapshot) const;
+
+  Snapshot<Real> snapshot();
+  void restore(const Snapshot<Real>& snapshot);
 
   /// Energies of the newest state.
   Energy energy();
@@ -66,6 +86,20 @@ struct Simulation<Real>::Parts {
   const State<Real>& whole_state() { return whole.of(states.now(), model, forces, *executor); }
 
  private:
+  /// What take_steps() does before steps, in them and after them. The steps that `report` has count.
+  void begin_report();
+  void take_steps(std::uint64_t count, Report& report);
+  void end_report(Report& report);
+
+  /// Tears what is strained too much in the newest state.
+  static void tear(std::unique_ptr<Parts>& parts, Report& report);
+  std::vector<Vec3> positions() const;
+  Snapshot<Real> torn_snapshot(TornScene torn);
+  std::unique_ptr<Parts> torn_to(std::shared_ptr<const Scene> scene, const Snapshot<Real>& snapshot,
+                                 const StepBounds& bounds) const;
+  Settings settings_of_scene(bool torn) const;
+  void take_over(const Parts& before, const std::vector<Index>& split_from);
+
   PlanRun<Real> run() { return {plan, scheme, workers, *executor, between, times}; }
 
   /// Of substeps, from the one after the first `taken` of the next step on.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "rigid_pose_check.h"
 #include "simulation_parts.h"
@@ -52,12 +53,6 @@ void set_state(const std::vector<Real>& positions, const std::vector<Real>& velo
   }
 }
 
-/// A hash of the positions and velocities of a snapshot.
-template <class Real>
-std::uint64_t hash_of_state(const Snapshot<Real>& snapshot) {
-  return hash_values<Real>(snapshot.velocities, hash_values<Real>(snapshot.positions, 0));
-}
-
 /// Of the most that steps are ever divided into, halved as often as can be.
 constexpr std::uint64_t most_substeps = 100'000 << 10;
 
@@ -87,6 +82,29 @@ void check_effects(const std::vector<Real>& values, std::size_t expected) {
           "effects remember a value that is not finite; give finite values");
 }
 
+template <class Real>
+void check_pairs(const std::vector<std::vector<PairMemory<Real>>>& lists, std::size_t expected,
+                 std::size_t particles) {
+  require(lists.size() == expected, "effects remember " + std::to_string(lists.size()) +
+                                        " lists of pairs; the simulation needs " + std::to_string(expected));
+  for (const auto& list : lists) {
+    require(std::is_sorted(list.begin(), list.end(),
+                           [](const auto& a, const auto& b) {
+                             return std::pair(a.first, a.second) < std::pair(b.first, b.second);
+                           }),
+            "pairs are not in order; sort them by their first particle, then by their second one");
+    for (const PairMemory<Real>& pair : list) {
+      const std::string which =
+          "the pair of particles " + std::to_string(pair.first) + " and " + std::to_string(pair.second);
+      require(
+          pair.first < pair.second && pair.second < particles,
+          which + " cannot be; give the lower number first, of " + std::to_string(particles) + " particles");
+      for (const Real value : pair.value)
+        require(std::isfinite(value), which + " has a value that is not finite; give finite values");
+    }
+  }
+}
+
 void check_frames(const std::vector<RigidPose>& poses, const Frames* frames) {
   const std::size_t expected = frames == nullptr ? 0 : frames->movable();
   require(poses.empty() || poses.size() == expected, "there are " + std::to_string(poses.size()) +
@@ -110,19 +128,18 @@ void restore_frames(const std::vector<RigidPose>& poses, Frames* frames, EffectL
 }  // namespace
 
 template <class Real>
-Snapshot<Real> Simulation<Real>::snapshot() const {
-  const Parts& p = *parts_;
+Snapshot<Real> Simulation<Real>::Parts::snapshot() {
+  Parts& p = *this;
   Snapshot<Real> snapshot;
-  snapshot.positions.resize(3 * p.model.particles());
-  snapshot.velocities.resize(3 * p.model.particles());
-  copy_positions(snapshot.positions.data(), 3 * sizeof(Real));
-  copy_velocities(snapshot.velocities.data(), 3 * sizeof(Real));
+  snapshot.positions = vectors_of<Real>(p.model.order, [&](Index e) { return p.states.now().position(e); });
+  snapshot.velocities = velocities_of(p.whole_state(), p.model.order);
   snapshot.time = p.states.now().time;
   snapshot.step = p.steps;
   snapshot.remainder = p.clock.remainder();
   snapshot.method.state = hash_of_state(snapshot);
   const State<Real>& now = p.states.now();
   snapshot.effects = now.memory;
+  snapshot.pairs = now.pairs;
   if (p.model.frames != nullptr) snapshot.frames = p.model.frames->poses(now.time);
   if (now.pending_kick != 0.0) {
     snapshot.method.velocities = velocities_of(now, p.model.order);
@@ -139,17 +156,23 @@ Snapshot<Real> Simulation<Real>::snapshot() const {
         vectors_of<Real>(p.model.order, [&](Index e) { return before.position(e); });
     snapshot.method.velocities_before = velocities_of(before, p.model.order);
   }
+  if (p.tears) {
+    if (p.tears->torn()) snapshot.torn = p.tears->now;
+    snapshot.torn_from = p.tears->torn_from;
+    snapshot.relaxing = p.tears->springs.relaxing();
+  }
   return snapshot;
 }
 
 template <class Real>
-void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
-  Parts& p = *parts_;
+void Simulation<Real>::Parts::restore(const Snapshot<Real>& snapshot) {
+  Parts& p = *this;
   check_values("positions", snapshot.positions, p.model.particles());
   check_values("velocities", snapshot.velocities, p.model.particles());
   require(std::isfinite(snapshot.time), "time is not finite; give a finite value");
   check_memory(snapshot.method, p.model.particles());
   check_effects(snapshot.effects, p.states.now().memory.size());
+  check_pairs(snapshot.pairs, p.states.now().pairs.size(), p.model.particles());
   check_frames(snapshot.frames, p.model.frames.get());
   p.clock.set_remainder(snapshot.remainder);
   p.set_substeps(substeps_of(p.stability.bounds, p.settings));
@@ -162,6 +185,7 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   const std::vector<Real>& velocities = pending ? memory.velocities : snapshot.velocities;
   set_state(snapshot.positions, velocities, p.model.order, p.states.now());
   p.states.now().memory = snapshot.effects;
+  p.states.now().pairs = snapshot.pairs;
   restore_frames(snapshot.frames, p.model.frames.get(), p.forces.effects());
   p.forces.effects().pins_moved(p.states.now());
   p.states.now().time = snapshot.time;
@@ -178,9 +202,26 @@ void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
   }
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
+  if (p.tears) p.tears->springs.relax(snapshot.relaxing);
   p.begin_watch();
 }
 
+template <class Real>
+Snapshot<Real> Simulation<Real>::snapshot() const {
+  return parts_->snapshot();
+}
+
+template <class Real>
+void Simulation<Real>::restore(const Snapshot<Real>& snapshot) {
+  std::unique_ptr<Parts> others = parts_->for_scene_of(snapshot);
+  (others ? *others : *parts_).restore(snapshot);
+  if (others) parts_ = std::move(others);
+}
+
+template Snapshot<float> Simulation<float>::Parts::snapshot();
+template Snapshot<double> Simulation<double>::Parts::snapshot();
+template void Simulation<float>::Parts::restore(const Snapshot<float>&);
+template void Simulation<double>::Parts::restore(const Snapshot<double>&);
 template Snapshot<float> Simulation<float>::snapshot() const;
 template Snapshot<double> Simulation<double>::snapshot() const;
 template void Simulation<float>::restore(const Snapshot<float>&);

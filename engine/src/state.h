@@ -101,7 +101,7 @@ class State {
   /// What effects remember of the past, such as how far springs have yielded: mostly nothing.
   std::vector<Real> memory;
 
-  /// Likewise of pairs of particles that come and go, in the engine's numbering; a list for each effect that
+  /// Likewise of pairs of particles that come and go, in the user's numbering; a list for each effect that
   /// does, sorted.
   std::vector<std::vector<PairMemory<Real>>> pairs;
 

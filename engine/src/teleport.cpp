@@ -42,6 +42,22 @@ void apply(const Transform& transform, const std::vector<Index>& particles, Stat
   }
 }
 
+/// What is remembered of pairs that are moved together turns with them; pairs that are parted are forgotten.
+template <class Real>
+void apply_to_pairs(const Transform& transform, std::span<const Index> particles, State<Real>& state) {
+  if (state.pairs.empty()) return;
+  std::vector<bool> moved(state.size(), false);
+  for (const Index particle : particles) moved[particle] = true;
+  for (auto& list : state.pairs) {
+    std::erase_if(list, [&](const auto& pair) { return moved[pair.first] != moved[pair.second]; });
+    for (PairMemory<Real>& pair : list) {
+      if (!moved[pair.first]) continue;
+      Eigen::Map<Eigen::Matrix<Real, 3, 1>> value(pair.value.data());
+      value = (transform.rotation * value.template cast<double>()).eval().template cast<Real>();
+    }
+  }
+}
+
 /// In the engine's order, each once.
 std::vector<Index> engine_order(std::span<const Index> particles, const Order& order) {
   std::vector<Index> found;
@@ -120,6 +136,7 @@ void Simulation<Real>::teleport(std::span<const Index> particles, const RigidPos
   // A kick that is still pending goes first: its forces are those of the place before.
   if (p.states.now().pending_kick != 0.0) p.states.now() = whole;
   apply(transform, moved, p.states.now());
+  apply_to_pairs(transform, particles, p.states.now());
   if (State<Real>* const before = p.states.changeable_before()) apply(transform, moved, *before);
   for (const std::size_t effect : frames) {
     RigidMotion& motion = *p.model.frames->of(effect);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -66,11 +67,36 @@ inline std::vector<NamedEffect> one_of_each_effect() {
        {}},
       {"stitch", Stitch{.first = {8}, .second = {9}, .closing_time = 0.02}, {}},
       {"self_collision", SelfCollision{.thickness = 0.6, .friction = 0.2}, SelfCollision{.thickness = 1e-9}},
+      {"particle_contact",
+       ParticleContact{.radius = {0.4}, .stiffness = 50.0, .shear_stiffness = 10.0, .friction = 0.3},
+       ParticleContact{.radius = {0.4}, .stiffness = 0.0}},
+      {"tearing", Tearing{.strain = 0.015}, Tearing{.strain = 1e6}},
   };
 }
 
 /// For each of some effects whether it is named.
 using Subset = std::vector<bool>;
+
+/// Whether a scene cannot name the two together: a surface must stay closed around what it holds.
+inline bool clash(const Effect& a, const Effect& b) {
+  const auto tears = [](const Effect& one) { return std::holds_alternative<Tearing>(one); };
+  const auto holds = [](const Effect& one) {
+    return std::holds_alternative<Pressure>(one) || std::holds_alternative<Volume>(one);
+  };
+  return (tears(a) && holds(b)) || (holds(a) && tears(b));
+}
+
+/// Some of them, without those that clash with the one that must be there, or with others.
+inline Subset random_subset(const std::vector<NamedEffect>& all, std::mt19937& random, std::size_t needed) {
+  Subset named(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) named[i] = (random() & 1u) != 0 || i == needed;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (k != needed && named[i] && clash(all[i].effect, all[k].effect)) named[k] = false;
+    }
+  }
+  return named;
+}
 
 inline Scene scene_with(const std::vector<NamedEffect>& all, const Subset& named) {
   Scene scene = ball_for_effects();

@@ -23,6 +23,7 @@ class ForcesOfScene {
         forces_(scene, model_),
         state_(initial_state(scene, model_)) {
     state_.memory = forces_.effects().initial_memory();
+    state_.pairs.resize(forces_.effects().pair_lists());
   }
 
   using Vectors = Eigen::VectorXd;

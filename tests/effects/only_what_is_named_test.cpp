@@ -47,8 +47,7 @@ TEST_CASE("the plans of random subsets of effects have their stages and their by
   const Simulation<float> bare(ball_for_effects(), settings_of_test());
   std::mt19937 random(7);
   for (int round = 0; round < (sanitized ? 50 : 500); ++round) {
-    Subset named(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) named[i] = (random() & 1u) != 0;
+    const Subset named = random_subset(all, random, std::size_t(random()) % all.size());
     const Simulation<float> simulation(scene_with(all, named), settings_of_test());
     const Plan& plan = simulation.plan();
     std::size_t stages = 0, bytes = 0;
@@ -97,9 +96,7 @@ TEST_CASE("an effect that is removed and named again leaves no trace") {
   std::mt19937 random(11);
   for (std::size_t changed = 0; changed < all.size(); ++changed) {
     CAPTURE(all[changed].stage);
-    Subset named(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) named[i] = (random() & 1u) != 0;
-    named[changed] = true;
+    Subset named = random_subset(all, random, changed);
     const Scene scene = scene_with(all, named);
     named[changed] = false;
     const Scene fewer = scene_with(all, named);

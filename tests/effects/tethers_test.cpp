@@ -80,7 +80,7 @@ TEST_CASE("tethers: faults") {
   };
   CHECK(fault({.slack = -0.5}).find("slack is -0.5") != std::string::npos);
   CHECK(fault({.particles = {400}}).find("particles[0]") != std::string::npos);
-  CHECK(fault({.particles = {2, 2}}).find("twice") != std::string::npos);
+  CHECK(fault({.particles = {2, 2}}).find("named before") != std::string::npos);
   CHECK(fault({.particles = {21}}).find("not joined to a pin") != std::string::npos);
   scene.pins.clear();
   CHECK(fault({}).find("no pins") != std::string::npos);

@@ -61,8 +61,10 @@ struct Traced {
 Traced trace(const Scene& scene) {
   const Surface surface(scene.triangles);
   const auto executor = make_tbb_executor(1);
+  ClosePairs near(surface, scene.particles.position, 1e-3);
+  near.find(scene.particles.position, scene.particles.position, 0.0, *executor);
   Crossings crossings(surface);
-  crossings.look(scene.particles.position, scene.particles.position, 0.0, *executor);
+  crossings.look(near.edge_boxes(), near.triangle_boxes(), &scene.particles.position, 0.0, *executor);
   const std::vector<Crossing>& found = crossings.find(scene.particles.position, *executor);
   IntersectionCurves curves(surface);
   std::set<Index> numbers;

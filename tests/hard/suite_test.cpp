@@ -50,8 +50,7 @@ std::vector<Verdict> run_some() {
 
 }  // namespace
 
-TEST_CASE(
-    "the cases are 1 to 22, 24 and 30 to 32, each described, with a criterion and a scene without faults") {
+TEST_CASE("the cases are 1 to 32, each described, with a criterion and a scene without faults") {
   std::set<int> numbers;
   std::set<std::string_view> names;
   for (const HardCase& one : hard_cases()) {
@@ -63,8 +62,8 @@ TEST_CASE(
     CHECK(one.step > 0.0);
     for (const Extent extent : {Extent::quick, Extent::whole}) CHECK(validate(one.make(extent)).empty());
   }
-  std::set<int> expected{24, 30, 31, 32};
-  for (int number = 1; number <= 22; ++number) expected.insert(number);
+  std::set<int> expected;
+  for (int number = 1; number <= 32; ++number) expected.insert(number);
   CHECK(numbers == expected);
 }
 
@@ -83,7 +82,11 @@ TEST_CASE("what passed before passes now, and every failure says by which figure
     }
   }
   if (test::sanitized) return;
-  for (const HardCase& one : hard_cases()) CHECK(passed.contains(one.name));
+  const std::set<std::string_view> met_by_none{"twisted_cylinder", "stack"};  // docs/contact.md says why
+  for (const HardCase& one : hard_cases()) {
+    CAPTURE(one.name);
+    CHECK(passed.contains(one.name) != met_by_none.contains(one.name));
+  }
 }
 
 TEST_CASE("a suite that is stopped ends early, and a method that throws has failed") {

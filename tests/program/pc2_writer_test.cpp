@@ -79,5 +79,14 @@ TEST_CASE("a PC2 file that is never finished leaves no file of that name") {
   CHECK(names_in(folder) == std::set<std::string>{"cloth.obj"});
 }
 
+TEST_CASE("a PC2 file of a scene that tears is refused, as it has one number of points") {
+  const TemporaryFolder folder;
+  const Scene whole = test::two_triangles(), torn = test::torn_triangles();
+  Pc2Writer writer(whole, {folder.path(), "cloth", NumberType::float32});
+  writer.write({0.0, whole.particles.position, {}});
+  CHECK_THROWS_WITH_AS(writer.write({1.0, torn.particles.position, {}, &torn}),
+                       doctest::Contains("to 6 particles from 4; use --format vtp or obj"), WriteError);
+}
+
 }  // namespace
 }  // namespace hooke

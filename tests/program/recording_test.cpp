@@ -33,6 +33,18 @@ TEST_CASE("a recording gives back what it got, in any order, and takes more afte
   }
 }
 
+TEST_CASE("a recording takes moments with more particles than the first ones") {
+  const test::TemporaryFolder folder;
+  Recording recording(1, folder.path());
+  const std::vector<float> one{1.0F, 2.0F, 3.0F}, two{4.0F, 5.0F, 6.0F, 7.0F, 8.0F, 9.0F};
+  recording.add(0.0, one);
+  recording.add(1.0, two);
+  recording.add(2.0, two);
+  CHECK(copy(recording.positions(1)) == two);
+  CHECK(copy(recording.positions(0)) == one);
+  CHECK(copy(recording.positions(2)) == two);
+}
+
 TEST_CASE("a recording leaves no file behind, whatever happens to the process") {
   const test::TemporaryFolder folder;
   Recording recording(1, folder.path());

@@ -22,6 +22,16 @@ inline Scene two_triangles() {
   return scene;
 }
 
+/// These two as they are torn apart along their edge: the second one has got particles 4 and 5 for 0 and 2.
+inline Scene torn_triangles() {
+  Scene scene = two_triangles();
+  for (const Index from : {0, 2}) scene.add_particle(0.1, Vec3(scene.particles.position[from]));
+  scene.triangles[1] = {4, 5, 3};
+  scene.springs.first[3] = 5;
+  scene.springs.second[4] = 4;
+  return scene;
+}
+
 inline std::vector<Vec3> two_triangles_velocities() {
   return {{0.1, 0.2, 0.3}, {-1.0, -2.0, -3.0}, {10.0, 0.0, -20.0}, {1e-3, 1e3, 0.0}};
 }

@@ -57,6 +57,22 @@ TEST_CASE("a VTP file has points, velocity and strain of each particle and the t
   CHECK(file.arrays.at("offsets").values == std::vector<double>{3, 6});
 }
 
+TEST_CASE("VTP files follow a scene that tears") {
+  const TemporaryFolder folder;
+  const Scene whole = test::two_triangles(), torn = test::torn_triangles();
+  VtpWriter writer(whole, {folder.path(), "cloth", NumberType::float64});
+  writer.write({0.0, whole.particles.position, test::two_triangles_velocities()});
+  writer.write({1.0, torn.particles.position, std::vector<Vec3>(6, Vec3::Zero()), &torn});
+  writer.finish();
+  CHECK(read_vtp(folder / "cloth_0000.vtp").piece("NumberOfPoints") == 4);
+  const VtpFile file = read_vtp(folder / "cloth_0001.vtp");
+  CHECK(file.piece("NumberOfPoints") == 6);
+  CHECK(file.arrays.at("connectivity").values == std::vector<double>{0, 1, 2, 4, 5, 3});
+  StrainField field(torn);
+  const auto strain = field.at(torn.particles.position);
+  CHECK(file.arrays.at("strain").values == std::vector<double>(strain.begin(), strain.end()));
+}
+
 TEST_CASE("the type of a VTP file's numbers follows the precision") {
   const VtpFile wide = write_and_read(test::two_triangles(), NumberType::float64);
   const VtpFile narrow = write_and_read(test::two_triangles(), NumberType::float32);

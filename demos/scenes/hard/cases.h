@@ -26,9 +26,15 @@ extern const HardCase many_islands;
 extern const HardCase over_constrained;
 extern const HardCase long_oscillation;
 extern const HardCase stiff_damper;
+extern const HardCase twisted_cylinder;
 extern const HardCase rotating_sphere;
+extern const HardCase funnel;
+extern const HardCase needles;
+extern const HardCase table_cloth;
 extern const HardCase pinch;
 extern const HardCase self_intersecting_start;
+extern const HardCase reef_knot;
+extern const HardCase stack;
 extern const HardCase incline_friction;
 
 }  // namespace hooke::hard

@@ -6,8 +6,10 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/collapsed_cloth.cpp
   scenes/hard/common_criteria.cpp
   scenes/hard/compressed_cloth.cpp
+  scenes/hard/contact_watch.cpp
   scenes/hard/far_from_origin.cpp
   scenes/hard/flattened_block.cpp
+  scenes/hard/funnel.cpp
   scenes/hard/hard_cases.cpp
   scenes/hard/huge_steps.cpp
   scenes/hard/huge_velocity.cpp
@@ -18,21 +20,26 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/many_islands.cpp
   scenes/hard/mass_ratio.cpp
   scenes/hard/measures.cpp
+  scenes/hard/needles.cpp
   scenes/hard/over_constrained.cpp
   scenes/hard/pinch.cpp
   scenes/hard/random_graphs.cpp
   scenes/hard/random_vertices.cpp
+  scenes/hard/reef_knot.cpp
   scenes/hard/rotating_sphere.cpp
   scenes/hard/scaled_units.cpp
   scenes/hard/self_intersecting_start.cpp
   scenes/hard/shapes.cpp
+  scenes/hard/stack.cpp
   scenes/hard/stiff_damper.cpp
   scenes/hard/stiffness_ratio.cpp
   scenes/hard/suite.cpp
+  scenes/hard/table_cloth.cpp
   scenes/hard/tangles.cpp
   scenes/hard/teleported_pin.cpp
   scenes/hard/tiny_and_huge_cloth.cpp
   scenes/hard/tiny_rest_lengths.cpp
+  scenes/hard/twisted_cylinder.cpp
   scenes/hard/watched_run.cpp
   scenes/hard/zero_rest_lengths.cpp)
 target_include_directories(hooke_hard_cases PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})

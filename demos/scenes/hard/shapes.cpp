@@ -1,5 +1,9 @@
 #include "scenes/hard/shapes.h"
 
+#include <numbers>
+
+#include <Eigen/Geometry>
+
 namespace hooke::hard {
 
 Sheet sheet(Index side, double damping) {
@@ -21,6 +25,24 @@ Sheet hung_sheet(Index side, double damping) {
   made.scene.pin(made.grid.at(side - 1, 0));
   made.scene.effects = {Gravity{}};
   return made;
+}
+
+GridParticles add_level_cloth(Scene& scene, Index side, double width, const Vec3& middle, double degrees,
+                              double stretch) {
+  const GridParticles cloth = add(scene, ClothGrid{.columns = side,
+                                                   .rows = side,
+                                                   .spacing = width / double(side - 1),
+                                                   .areal_density = 0.15,
+                                                   .stretch = stretch,
+                                                   .shear = 0.5 * stretch,
+                                                   .bend = 0.0,
+                                                   .damping = 0.005});
+  const Eigen::AngleAxisd turn(degrees * std::numbers::pi / 180.0, Vec3::UnitY());
+  for (Index i = cloth.first; i < cloth.first + side * side; ++i) {
+    Vec3& x = scene.particles.position[i];
+    x = middle + turn * Vec3(x.x() - 0.5 * width, 0.0, x.y() + 0.5 * width);
+  }
+  return cloth;
 }
 
 }  // namespace hooke::hard

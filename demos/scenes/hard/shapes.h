@@ -21,6 +21,12 @@ Sheet sheet(Index side, double damping = 0.0);
 /// Such a cloth held at its two upper corners, in gravity.
 Sheet hung_sheet(Index side, double damping = 0.0);
 
+/// Adds a level square of thin cotton, `width` [m] wide of `side` x `side` particles, around `middle` and
+/// turned about the vertical: 0.15 kg/m^2, `stretch` [N/m] along its grid and half of it across, damped, no
+/// bend springs.
+GridParticles add_level_cloth(Scene& scene, Index side, double width, const Vec3& middle,
+                              double degrees = 0.0, double stretch = 100.0);
+
 /// Numbers that are the same everywhere, whatever the standard library.
 class Noise {
  public:

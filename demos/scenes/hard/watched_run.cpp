@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hooke::hard {
 
@@ -18,11 +19,20 @@ WatchedRun<Real>::WatchedRun(const Scene& scene, const Settings& settings) : sim
   allowed_ = before_ = energy.total();
   most_internal_ = energy.kinetic + energy.elastic;
   least_external_ = most_external_ = energy.external;
+  for (std::size_t e = 0; e < scene.effects.size(); ++e) {
+    const auto* frame = std::get_if<FrameAttachment>(&scene.effects[e]);
+    if (frame != nullptr && !frame->path.empty()) frames_.emplace_back(e, *frame);
+  }
 }
 
 template <class Real>
 bool WatchedRun<Real>::take(std::uint64_t count) {
-  for (std::uint64_t i = 0; i < count && trouble_.empty(); ++i) note(simulation_.step());
+  for (std::uint64_t i = 0; i < count && trouble_.empty(); ++i) {
+    const double before = simulation_.time();
+    const Report report = simulation_.step();
+    if (report.ok()) allowed_ += work_of_frames(before);
+    note(report);
+  }
   return trouble_.empty();
 }
 
@@ -35,11 +45,24 @@ bool WatchedRun<Real>::skip(std::uint64_t count) {
 template <class Real>
 void WatchedRun<Real>::note(const Report& report) {
   unsolved_ += (report.flags & flag_not_converged) != 0;
+  contacts_left_ += report.contacts_left;
   if (report.ok()) {
     look();
   } else {
     trouble_ = report.message();
   }
+}
+
+template <class Real>
+double WatchedRun<Real>::work_of_frames(double before) const {
+  double work = 0.0;
+  for (const auto& [effect, frame] : frames_) {
+    const RigidKeyframe from = on_path(frame.path, before), to = on_path(frame.path, simulation_.time());
+    const Vec3 turn = (to.degrees - from.degrees) * std::numbers::pi / 180.0 * frame.axis.normalized();
+    const FrameLoad load = simulation_.carried_force(effect);
+    work -= load.force.dot(to.displacement - from.displacement) + load.torque.dot(turn);
+  }
+  return work;
 }
 
 template <class Real>

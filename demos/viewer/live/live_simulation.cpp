@@ -18,14 +18,19 @@ Vec3 at(std::span<const Real> x, std::span<const Real> y, std::span<const Real> 
 
 template <class Real>
 LiveSimulation<Real>::LiveSimulation(Scene scene, Settings settings)
-    : scene_(std::move(scene)), simulation_(scene_, std::move(settings)), start_(simulation_.snapshot()) {}
+    : scene_(std::move(scene)), simulation_(scene_, std::move(settings)), start_(simulation_.snapshot()) {
+  tears_.look_at(simulation_);
+}
 
 template <class Real>
 void LiveSimulation<Real>::change(Setup setup) {
   std::swap(scene_.effects, setup.effects);
   try {
     Simulation<Real> changed(scene_, setup.settings);
-    changed.restore(simulation_.snapshot());
+    Snapshot<Real> state = simulation_.snapshot();
+    state.torn = nullptr;  // it is the scene that the changed one starts from
+    state.torn_from.clear();
+    changed.restore(state);
     simulation_ = std::move(changed);
   } catch (...) {
     std::swap(scene_.effects, setup.effects);
@@ -36,7 +41,23 @@ void LiveSimulation<Real>::change(Setup setup) {
 
 template <class Real>
 void LiveSimulation<Real>::reset() {
+  if (!whole_) {
+    simulation_.restore(start_);
+    return;
+  }
+  simulation_ = Simulation<Real>(*whole_, simulation_.settings());
   simulation_.restore(start_);
+  scene_ = *std::exchange(whole_, std::nullopt);
+  tears_ = {};
+  tears_.look_at(simulation_);
+  if (drag_ && drag_->particle >= scene_.particles.size()) release();
+}
+
+template <class Real>
+void LiveSimulation<Real>::look_for_tears() {
+  if (!tears_.look_at(simulation_)) return;
+  if (!whole_) whole_ = scene_;
+  scene_ = tears_.scene() ? *tears_.scene() : scene_;
 }
 
 template <class Real>
@@ -67,6 +88,7 @@ Report LiveSimulation<Real>::take_steps(std::uint64_t count, Work& work) {
     if (drag_) pull();
     report = simulation_.step(at_once);
     work.add(report);
+    look_for_tears();
   }
   return report;
 }

@@ -8,6 +8,7 @@
 #include "viewer/live/command.h"
 #include "viewer/live/drag_spring.h"
 #include "viewer/live/work.h"
+#include "writers/seen_tears.h"
 
 namespace hooke::viewer {
 
@@ -23,7 +24,7 @@ class LiveSimulation {
   /// does and goes on as before.
   void change(Setup setup);
 
-  /// Back to the state at the start.
+  /// Back to the state at the start. What has been changed since the scene tore is as it was before it did.
   void reset();
 
   void drag(const Pull& drag);
@@ -33,12 +34,18 @@ class LiveSimulation {
   Report take_steps(std::uint64_t count, Work& work);
 
   const Simulation<Real>& simulation() const { return simulation_; }
-  const Scene& scene() const { return scene_; }
+  const Scene& scene() const { return scene_; }  ///< as it has torn, where it has
+
+  /// The same, null where it has not torn.
+  const std::shared_ptr<const Scene>& torn() const { return tears_.scene(); }
 
  private:
   void pull();
+  void look_for_tears();
 
   Scene scene_;
+  std::optional<Scene> whole_;  ///< where it has torn, as it was before
+  SeenTears tears_;
   Simulation<Real> simulation_;
   Snapshot<Real> start_;
   std::optional<Pull> drag_;

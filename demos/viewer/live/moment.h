@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <hooke/report.h>
+#include <hooke/scene.h>
 
 #include "viewer/live/setup.h"
 #include "viewer/live/step_limit.h"
@@ -38,6 +39,7 @@ struct InForce {
   std::vector<std::string> sweeps;     ///< of the plan, in their order
   std::optional<StepLimit> stability;  ///< of setup's method on setup's effects
   std::size_t particles = 0, springs = 0;
+  std::shared_ptr<const Scene> torn;  ///< the scene as it has torn; null where it has not
   unsigned threads = 1;
 };
 

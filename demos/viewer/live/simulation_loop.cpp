@@ -104,7 +104,9 @@ void SimulationLoop<Real>::obey(const StepOnce&) {
 
 template <class Real>
 void SimulationLoop<Real>::obey(const Reset&) {
+  const bool was_torn = live_.torn() != nullptr;
   live_.reset();
+  if (was_torn) describe();
   now_.problem.clear();
   measured_ = false;
   const double now = wall_time();
@@ -153,6 +155,7 @@ void SimulationLoop<Real>::describe() {
   in_force->stability = step_limit(live_.scene(), simulation.settings().method);
   in_force->particles = simulation.particle_count();
   in_force->springs = simulation.spring_count();
+  in_force->torn = live_.torn();
   in_force->threads = simulation.threads();
   now_.in_force = std::move(in_force);
 }
@@ -186,7 +189,9 @@ template <class Real>
 void SimulationLoop<Real>::take_steps(std::uint64_t count) {
   const double start = wall_time();
   Work work;
+  const std::shared_ptr<const Scene> torn = live_.torn();
   const Report report = live_.take_steps(count, work);
+  if (live_.torn() != torn) describe();
   const double seconds = wall_time() - start;
   rates_.add_steps(work, seconds);
   seconds_per_step_ = seconds / static_cast<double>(count);

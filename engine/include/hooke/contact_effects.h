@@ -118,9 +118,12 @@ struct SelfCollision {
 /// Grains: spheres around particles, that press on each other and rub (Cundall, Strack 1979). For two whose
 /// centres are nearer than the sum of their radii by d, with n the unit vector from one to the other, and v
 /// the velocity of the one against the other,
-///   F_n = max(0, k d - c n.v),  F_t = -(k_t s + c_t v_t), |F_t| <= mu F_n,
+///   F_n = k d - c n.v,  F_t = -(k_t s + c_t v_t) as far as |F_t| <= mu max(0, F_n),
 /// with s the way that they have slid along each other since they touched, as far as friction held it.
-/// Spheres do not turn. Whether particles are joined by a spring does not matter.
+/// Spheres do not turn, and those that springs join do not touch.
+///
+/// Two of mass m hit each other for t = pi / sqrt(k / m* - (c / 2m*)^2), with m* = m / 2, and part with
+/// exp(-pi z / sqrt(1 - z^2)) of their speed, z = c / (2 sqrt(k m*)): steps should be a twentieth of t.
 struct ParticleContact {
   std::vector<double> radius = {};    ///< [m], > 0: one for all, or one for each of `particles`
   double stiffness = 1e3;             ///< k [N/m], >= 0
@@ -145,10 +148,11 @@ struct ParticleContact {
 
 /// Springs that are strained too much, or pull too hard, tear what they are part of: one of the two particles
 /// of each is split in two, across the spring, and what was joined to it is shared out between the two:
-/// springs and triangles on either side stay whole, and nothing is lost, but springs that would bridge the
-/// tear. The new particle has a new number, the next one, and the scene's triangles are those of
-/// Simulation::triangles() then. Mass and momentum are kept. Looked at after each step, not after its
-/// substeps.
+/// triangles and springs on either side stay whole, an edge of triangles on both sides becomes two springs,
+/// and nothing is lost but springs that would bridge the tear. Where neither end has anything on its other
+/// side, the spring itself is lost, or stays where it is an edge of a triangle. New particles have the next
+/// numbers, and the scene's triangles are those of Simulation::triangles() then. Mass and momentum are kept.
+/// Looked at after each step, not after its substeps. See docs/tearing.md.
 struct Tearing {
   double strain = 0.0;              ///< (l - l0) / l0 [1] above which a spring tears; 0: strain tears none
   double force = 0.0;               ///< k (l - l0) [N] above which a spring tears; 0: force tears none

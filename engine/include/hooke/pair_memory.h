@@ -6,7 +6,9 @@
 
 namespace hooke {
 
-/// What an effect remembers of two particles, such as how far they have slid along each other.
+/// What an effect remembers of two particles, in the user's numbering and the lower number first: a vector of
+/// the first against the second, such as where they were when they touched. It turns with them where both are
+/// teleported.
 template <class Real>
 struct PairMemory {
   Index first, second;

@@ -107,8 +107,16 @@ struct MethodMemory {
   std::vector<Real> positions_before, velocities_before;
 };
 
+/// A spring beside a tear: until it has relaxed, Tearing lets it get this long.
+struct RelaxingSpring {
+  Index spring = 0;     ///< of the torn scene
+  double length = 0.0;  ///< [m]
+
+  bool operator==(const RelaxingSpring&) const = default;
+};
+
 /// A copy of everything that changes while a simulation runs. Restores only into simulations of the same
-/// scene.
+/// scene, torn or not.
 template <class Real>
 struct Snapshot {
   std::vector<Real> positions;   ///< x, y, z of each particle in the user's numbering [m]
@@ -123,6 +131,8 @@ struct Snapshot {
   std::vector<std::vector<PairMemory<Real>>> pairs;
   /// The scene as it has torn; null where it has not.
   std::shared_ptr<const Scene> torn;
+  std::vector<Index> torn_from;          ///< Simulation::origin() of each particle that tearing has added
+  std::vector<RelaxingSpring> relaxing;  ///< in ascending order
   /// Of the frames that the host may move, in the order of their effects; empty where it never moved one. A
   /// pose that was given for the next step is not in it.
   std::vector<RigidPose> frames;
@@ -158,11 +168,11 @@ class Simulation {
   /// For each of the user's particles, its place in state().
   Index engine_index(Index particle) const;
 
-  /// The scene's triangles, in the user's numbering: as they are now, where it has torn. Valid until the next
-  /// call that changes the simulation.
+  /// The triangles of a scene that names Tearing, as they are now, in the user's numbering; empty of others,
+  /// whose triangles stay as they are in the scene. Valid until the next call that changes the simulation.
   std::span<const Triangle> triangles() const;
-  /// For each particle the one of the scene that it is, or has been split from by Tearing; itself, where
-  /// nothing has torn.
+  /// The particle of the scene that this one is, or has been split from by Tearing. Throws std::out_of_range
+  /// where there is no such particle.
   Index origin(Index particle) const;
 
   /// Writes x, y, z of each particle [m], in the user's numbering: the first at `first`, each `stride_bytes`
@@ -216,8 +226,8 @@ class Simulation {
   void teleport(std::span<const Index> particles, const RigidPose& transform);
 
   Snapshot<Real> snapshot() const;
-  /// Throws std::invalid_argument, and changes nothing, if the snapshot is of another number of particles or
-  /// not finite.
+  /// Throws std::invalid_argument, and changes nothing, if the snapshot is of another number of particles, of
+  /// a scene that cannot have come from this one by tearing, or not finite.
   void restore(const Snapshot<Real>& snapshot);
 
   const Plan& plan() const;

@@ -7,8 +7,8 @@
 namespace hooke {
 namespace {
 
-/// Corners or edges that one thread takes at a time.
-constexpr std::size_t in_run = 512;
+/// Groups of corners or edges that one thread takes at a time.
+constexpr std::size_t groups_at_once = 8;
 
 /// Boxes that one thread makes at a time.
 constexpr std::size_t boxes_at_once = 4096;
@@ -49,65 +49,103 @@ AxisBox ClosePairs::box_around(const std::array<Index, n>& particles) const {
   return box;
 }
 
+void ClosePairs::make_boxes(Executor& executor) {
+  const auto for_each = [&](std::size_t count, const auto& make) {
+    executor.parallel_for(count, boxes_at_once, [&](std::size_t begin, std::size_t last) {
+      for (std::size_t i = begin; i < last; ++i) make(i);
+    });
+  };
+  corner_boxes_.resize(surface_.corners.size());
+  triangle_boxes_.resize(surface_.triangles.size());
+  edge_boxes_.resize(surface_.edges.size());
+  for_each(corner_boxes_.size(),
+           [&](std::size_t c) { corner_boxes_[c] = box_around(std::array{surface_.corners[c]}); });
+  for_each(triangle_boxes_.size(),
+           [&](std::size_t t) { triangle_boxes_[t] = box_around(surface_.triangles[t]); });
+  for_each(edge_boxes_.size(), [&](std::size_t e) {
+    edge_boxes_[e] = box_around(std::array{surface_.edges[e].first, surface_.edges[e].second});
+  });
+  AxisBox all;
+  for (const AxisBox& box : corner_boxes_) all.widen(box);
+  const BoxFrame frame(all);
+  corners_.build(corner_boxes_, frame, executor);
+  triangles_.build(triangle_boxes_, frame, executor);
+  edges_.build(edge_boxes_, frame, executor);
+}
+
 const std::vector<ClosePair>& ClosePairs::find(const Places& start, const Places& end, double reach,
                                                Executor& executor) {
   start_ = &start, end_ = &end, reach_ = reach;
-  triangle_boxes_.resize(surface_.triangles.size());
-  edge_boxes_.resize(surface_.edges.size());
-  executor.parallel_for(triangle_boxes_.size(), boxes_at_once, [&](std::size_t begin, std::size_t last) {
-    for (std::size_t t = begin; t < last; ++t) triangle_boxes_[t] = box_around(surface_.triangles[t]);
-  });
-  executor.parallel_for(edge_boxes_.size(), boxes_at_once, [&](std::size_t begin, std::size_t last) {
-    for (std::size_t e = begin; e < last; ++e) {
-      const auto& [a, b] = surface_.edges[e];
-      edge_boxes_[e] = box_around(std::array{a, b});
-    }
-  });
-  executor.parallel_for(2, 1, [&](std::size_t begin, std::size_t last) {
-    for (std::size_t which = begin; which < last; ++which)
-      which == 0 ? triangles_.build(triangle_boxes_) : edges_.build(edge_boxes_);
-  });
+  make_boxes(executor);
   pairs_.clear();
-  const auto at_corner = [&](std::size_t c, Found& found) { find_at_corner(surface_.corners[c], found); };
-  find_in_runs(surface_.corners.size(), at_corner, executor);
-  const auto at_edge = [&](std::size_t e, Found& found) { find_at_edge(e, found); };
-  find_in_runs(surface_.edges.size(), at_edge, executor);
+  const auto add_triangle = [&](Index corner, Index triangle, Found& found) {
+    const auto [a, b, c] = surface_.triangles[triangle];
+    add_if_near({surface_.corners[corner], a, b, c}, PairKind::corner_triangle, found);
+  };
+  find_in_groups(corners_, surface_.corners.size(), triangles_, add_triangle, executor);
+  const auto add_edge = [&](Index edge, Index other, Found& found) {
+    if (other <= edge) return;
+    const auto [a, b] = surface_.edges[edge];
+    const auto [c, d] = surface_.edges[other];
+    add_if_near({a, b, c, d}, PairKind::edge_edge, found);
+  };
+  find_in_groups(edges_, surface_.edges.size(), edges_, add_edge, executor);
   return pairs_;
 }
 
-template <class Find>
-void ClosePairs::find_in_runs(std::size_t count, const Find& find, Executor& executor) {
-  const std::size_t runs = (count + in_run - 1) / in_run;
+template <class Add>
+void ClosePairs::find_in_groups(const BoxTree& first, std::size_t count, const BoxTree& second,
+                                const Add& add, Executor& executor) {
+  const std::size_t runs = first.groups();
   if (runs_.size() < runs) runs_.resize(runs);
-  executor.parallel_for(runs, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t run = begin; run < end; ++run) {
-      runs_[run].clear();
-      for (std::size_t i = run * in_run; i < std::min(count, (run + 1) * in_run); ++i) find(i, runs_[run]);
+  executor.parallel_for(runs, groups_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t run = begin; run < end; ++run) find_in_group(first, second, run, add, runs_[run]);
+  });
+  collect(count, runs, executor);
+}
+
+template <class Add>
+void ClosePairs::find_in_group(const BoxTree& first, const BoxTree& second, std::size_t group, const Add& add,
+                               Run& run) {
+  const std::span<const Index> elements = first.group(group);
+  std::copy(elements.begin(), elements.end(), run.elements.begin());
+  run.counts.fill(0);
+  run.found.clear();
+  second.for_each_meeting(first, group, run.near, [&](std::size_t n, Index other) {
+    const std::size_t before = run.found.size();
+    add(run.elements[n], other, run.found);
+    run.counts[n] += run.found.size() - before;
+  });
+  auto at = run.found.begin();
+  for (const std::size_t count : run.counts) {
+    const auto last = at + std::ptrdiff_t(count);
+    std::sort(at, last, [](const ClosePair& a, const ClosePair& b) { return a.particles < b.particles; });
+    at = last;
+  }
+}
+
+/// Puts what groups have found in the order of their elements, after the pairs that are there.
+void ClosePairs::collect(std::size_t count, std::size_t runs, Executor& executor) {
+  begin_.assign(count + 1, 0);
+  for (std::size_t r = 0; r < runs; ++r) {
+    for (std::size_t n = 0; n < BoxGroup::size; ++n) {
+      if (runs_[r].counts[n] > 0) begin_[runs_[r].elements[n] + 1] = runs_[r].counts[n];
+    }
+  }
+  begin_[0] = pairs_.size();
+  for (std::size_t e = 0; e < count; ++e) begin_[e + 1] += begin_[e];
+  pairs_.resize(begin_[count]);
+  executor.parallel_for(runs, groups_at_once, [&](std::size_t first, std::size_t end) {
+    for (std::size_t r = first; r < end; ++r) {
+      auto from = runs_[r].found.begin();
+      for (std::size_t n = 0; n < BoxGroup::size && from != runs_[r].found.end(); ++n) {
+        const auto last = from + std::ptrdiff_t(runs_[r].counts[n]);
+        if (from != last)
+          std::copy(from, last, pairs_.begin() + std::ptrdiff_t(begin_[runs_[r].elements[n]]));
+        from = last;
+      }
     }
   });
-  for (std::size_t run = 0; run < runs; ++run)
-    pairs_.insert(pairs_.end(), runs_[run].begin(), runs_[run].end());
-}
-
-void ClosePairs::find_at_corner(Index corner, Found& found) const {
-  const std::size_t first = found.size();
-  triangles_.for_each_meeting(box_around(std::array{corner}), 0, [&](Index t) {
-    const auto [a, b, c] = surface_.triangles[t];
-    add_if_near({corner, a, b, c}, PairKind::corner_triangle, found);
-  });
-  std::sort(found.begin() + std::ptrdiff_t(first), found.end(),
-            [](const ClosePair& a, const ClosePair& b) { return a.particles < b.particles; });
-}
-
-void ClosePairs::find_at_edge(std::size_t edge, Found& found) const {
-  const std::size_t first = found.size();
-  const auto [a, b] = surface_.edges[edge];
-  edges_.for_each_meeting(edge_boxes_[edge], Index(edge) + 1, [&, a = a, b = b](Index other) {
-    const auto [c, d] = surface_.edges[other];
-    add_if_near({a, b, c, d}, PairKind::edge_edge, found);
-  });
-  std::sort(found.begin() + std::ptrdiff_t(first), found.end(),
-            [](const ClosePair& one, const ClosePair& two) { return one.particles < two.particles; });
 }
 
 void ClosePairs::add_if_near(const std::array<Index, 4>& particles, PairKind kind, Found& found) const {
@@ -124,10 +162,12 @@ void ClosePairs::add_if_near(const std::array<Index, 4>& particles, PairKind kin
 }
 
 std::size_t ClosePairs::bytes() const {
-  std::size_t found = pairs_.capacity();
-  for (const Found& run : runs_) found += run.capacity();
-  return found * sizeof(ClosePair) + rest_.capacity() * sizeof(Vec3) + triangles_.bytes() + edges_.bytes() +
-         (triangle_boxes_.capacity() + edge_boxes_.capacity()) * sizeof(AxisBox);
+  std::size_t found = pairs_.capacity(), near = 0;
+  for (const Run& run : runs_) found += run.found.capacity(), near += run.near.capacity();
+  return found * sizeof(ClosePair) + runs_.capacity() * sizeof(Run) +
+         (near + begin_.capacity()) * sizeof(std::size_t) + rest_.capacity() * sizeof(Vec3) +
+         corners_.bytes() + triangles_.bytes() + edges_.bytes() +
+         (corner_boxes_.capacity() + triangle_boxes_.capacity() + edge_boxes_.capacity()) * sizeof(AxisBox);
 }
 
 }  // namespace hooke

@@ -6,8 +6,8 @@
 #include <hooke/executor.h>
 #include <hooke/scene.h>
 
+#include "collide/box_tree.h"
 #include "collide/closest_points.h"
-#include "collide/hash_grid.h"
 #include "scene/mesh_edges.h"
 
 namespace hooke {
@@ -52,16 +52,31 @@ class ClosePairs {
   const std::vector<ClosePair>& find(const Places& start, const Places& end, double reach,
                                      Executor& executor);
 
+  /// Boxes around all edges and triangles on these ways, which meet where they get within the reach.
+  const BoxTree& edge_boxes() const { return edges_; }
+  const BoxTree& triangle_boxes() const { return triangles_; }
+
   std::size_t bytes() const;
 
  private:
-  /// What one run of corners or edges finds.
   using Found = std::vector<ClosePair>;
 
-  template <class Find>
-  void find_in_runs(std::size_t count, const Find& find, Executor& executor);
-  void find_at_corner(Index corner, Found& found) const;
-  void find_at_edge(std::size_t edge, Found& found) const;
+  /// What a group of corners or edges finds: so many pairs of each, one after the other.
+  struct Run {
+    std::vector<std::size_t> near;
+    Found found;
+    std::array<Index, BoxGroup::size> elements;
+    std::array<std::size_t, BoxGroup::size> counts;
+  };
+
+  void make_boxes(Executor& executor);
+  template <class Add>
+  void find_in_groups(const BoxTree& first, std::size_t count, const BoxTree& second, const Add& add,
+                      Executor& executor);
+  template <class Add>
+  static void find_in_group(const BoxTree& first, const BoxTree& second, std::size_t group, const Add& add,
+                            Run& run);
+  void collect(std::size_t count, std::size_t runs, Executor& executor);
   void add_if_near(const std::array<Index, 4>& particles, PairKind kind, Found& found) const;
   template <std::size_t n>
   AxisBox box_around(const std::array<Index, n>& particles) const;
@@ -70,9 +85,10 @@ class ClosePairs {
   Places rest_;
   double thickness_, reach_ = 0.0;
   const Places *start_ = nullptr, *end_ = nullptr;
-  std::vector<AxisBox> triangle_boxes_, edge_boxes_;
-  HashGrid triangles_, edges_;
-  std::vector<Found> runs_;
+  std::vector<AxisBox> corner_boxes_, triangle_boxes_, edge_boxes_;
+  BoxTree corners_, triangles_, edges_;
+  std::vector<Run> runs_;
+  std::vector<std::size_t> begin_;  ///< of each corner's or edge's pairs
   std::vector<ClosePair> pairs_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "parallel/sum.h"
 
@@ -14,6 +15,9 @@ constexpr std::size_t contacts_in_run = 256;
 
 /// A particle is not moved by more than so many times what the contact lacks.
 constexpr double most_leverage = 10.0;
+
+/// After so many sweeps over what pushes, all are looked at again.
+constexpr std::uint64_t active_sweeps = 7;
 
 constexpr unsigned no_colour = ~0u, colours_at_once = 64;
 
@@ -36,36 +40,53 @@ bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inve
 }
 
 ContactSweeps::ContactSweeps(const std::vector<double>& inverse_mass)
-    : inverse_mass_(inverse_mass), taken_(inverse_mass.size(), 0) {}
+    : inverse_mass_(inverse_mass), taken_(inverse_mass.size(), 0), met_place_(inverse_mass.size()) {}
 
-void ContactSweeps::set(const std::vector<SurfaceContact>& contacts) {
-  find_particles(contacts);
+void ContactSweeps::set(const std::vector<SurfaceContact>& contacts, Executor& executor) {
   choose_colours(contacts);
   contacts_.resize(contacts.size());
-  inverse_masses_.resize(contacts.size());
   pushed_.resize(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    contacts_[place_[c]] = contacts[c];
-    double sum = 0.0, largest = 0.0;
-    for_each_moved(contacts[c], inverse_mass_, [&](Index i, double weight) {
-      sum += weight * weight * inverse_mass_[i];
-      largest = std::max(largest, std::abs(weight) * inverse_mass_[i]);
-    });
-    // Where a particle that is far from the place where they touch is the only one that can move, it would
-    // have to go very far: it goes a part of the way.
-    inverse_masses_[place_[c]] = std::max(sum, largest / most_leverage);
-  }
+  pushes_.resize(contacts.size());
+  executor.parallel_for(contacts.size(), contacts_in_run, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) contacts_[place_[c]] = packed(contacts[c]);
+  });
+}
+
+PackedContact ContactSweeps::packed(const SurfaceContact& contact) const {
+  PackedContact packed{{contact.normal.x(), contact.normal.y(), contact.normal.z(), 0.0},
+                       {contact.held.x(), contact.held.y(), contact.held.z(), 0.0},
+                       contact.weights,
+                       contact.least,
+                       contact.friction,
+                       0.0,
+                       {}};
+  double sum = 0.0, largest = 0.0;
+  for_each_moved(contact, inverse_mass_, [&](Index i, double weight) {
+    sum += weight * weight * inverse_mass_[i];
+    largest = std::max(largest, std::abs(weight) * inverse_mass_[i]);
+  });
+  // Where a particle that is far from the place where they touch is the only one that can move, it would have
+  // to go very far: it goes a part of the way.
+  packed.mass = 1.0 / std::max(sum, largest / most_leverage);
+  for (std::size_t k = 0; k < 4; ++k) packed.places[k] = met_place_[contact.particles[k]];
+  return packed;
 }
 
 void ContactSweeps::find_particles(const std::vector<SurfaceContact>& contacts) {
-  particles_.clear();
+  met_.clear();
   for (const SurfaceContact& contact : contacts) {
-    for_each_moved(contact, inverse_mass_, [&](Index i, double) {
-      if (taken_[i] == 0) particles_.push_back(i);
+    for (const Index i : contact.particles) {
+      if (taken_[i] == 0) met_.push_back(i);
       taken_[i] = 1;
-    });
+    }
   }
-  std::sort(particles_.begin(), particles_.end());
+  std::sort(met_.begin(), met_.end());
+  particles_.clear();
+  for (std::size_t m = 0; m < met_.size(); ++m) {
+    met_place_[met_[m]] = Index(m);
+    taken_[met_[m]] = 0;
+    if (inverse_mass_[met_[m]] > 0.0) particles_.push_back(met_[m]);
+  }
 }
 
 /// Each contact gets the first colour that none of its particles has; where 64 do not suffice, the rest are
@@ -75,7 +96,7 @@ void ContactSweeps::choose_colours(const std::vector<SurfaceContact>& contacts) 
   colour_begin_.assign(1, 0);
   std::size_t left = contacts.size();
   for (unsigned first = 0; left > 0; first += colours_at_once) {
-    for (const Index particle : particles_) taken_[particle] = 0;
+    for (const Index particle : met_) taken_[particle] = 0;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       if (colour_[c] != no_colour) continue;
       std::uint64_t taken = 0;
@@ -90,7 +111,7 @@ void ContactSweeps::choose_colours(const std::vector<SurfaceContact>& contacts) 
       --left;
     }
   }
-  for (const Index particle : particles_) taken_[particle] = 0;
+  for (const Index particle : met_) taken_[particle] = 0;
   for (std::size_t k = 1; k < colour_begin_.size(); ++k) colour_begin_[k] += colour_begin_[k - 1];
   place_.resize(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) place_[c] = Index(colour_begin_[colour_[c]]++);
@@ -98,58 +119,87 @@ void ContactSweeps::choose_colours(const std::vector<SurfaceContact>& contacts) 
   colour_begin_[0] = 0;
 }
 
-std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, double share, double least, std::uint64_t most,
-                                 Executor& executor) {
-  std::fill(pushed_.begin(), pushed_.end(), std::uint8_t(0));
-  double enough = least;
-  for (std::uint64_t sweeps = 0; sweeps < most;) {
-    const double asked = sweep(values, executor);
-    if (sweeps == 0) enough = std::max(least, share * asked);
-    ++sweeps;
-    if (!(asked > enough)) return sweeps;
+void ContactSweeps::load(const std::vector<Vec3>& values) {
+  values_.resize(4 * met_.size());
+  for (std::size_t m = 0; m < met_.size(); ++m) {
+    std::copy(values[met_[m]].begin(), values[met_[m]].end(), &values_[4 * m]);
+    values_[4 * m + 3] = inverse_mass_[met_[m]];
   }
-  return most;
 }
 
-double ContactSweeps::sweep(std::vector<Vec3>& values, Executor& executor) {
+void ContactSweeps::store(std::vector<Vec3>& values) const {
+  for (std::size_t m = 0; m < met_.size(); ++m) values[met_[m]] = Eigen::Map<const Vec3>(&values_[4 * m]);
+}
+
+std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, double share, double least, std::uint64_t most,
+                                 Executor& executor) {
+  load(values);
+  std::fill(pushed_.begin(), pushed_.end(), std::uint8_t(0));
+  double enough = least;
+  std::uint64_t sweeps = 0;
+  while (sweeps < most) {
+    const double asked = sweep(contacts_, colour_begin_, pushes_, executor);
+    if (sweeps == 0) enough = std::max(least, share * asked);
+    ++sweeps;
+    for (std::size_t c = 0; c < pushed_.size(); ++c) pushed_[c] |= pushes_[c];
+    if (!(asked > enough)) break;
+    if (!choose_active(executor)) continue;
+    for (std::uint64_t n = 0; n < active_sweeps && sweeps < most; ++n) {
+      ++sweeps;
+      if (!(sweep(active_, active_begin_, active_pushes_, executor) > enough)) break;
+    }
+  }
+  store(values);
+  return sweeps;
+}
+
+double ContactSweeps::sweep(std::span<const PackedContact> contacts,
+                            const std::vector<std::size_t>& colour_begin, std::vector<unsigned char>& pushes,
+                            Executor& executor) {
   double largest = 0.0;
-  for (std::size_t colour = 0; colour + 1 < colour_begin_.size(); ++colour) {
-    const std::size_t first = colour_begin_[colour];
+  for (std::size_t colour = 0; colour + 1 < colour_begin.size(); ++colour) {
+    const std::size_t first = colour_begin[colour];
     const auto part = [&](std::size_t begin, std::size_t end) {
-      Largest asked;
-      for (std::size_t c = first + begin; c < first + end; ++c) asked.add({push(c, values)});
-      return asked;
+      return Largest{push_contacts(contacts.subspan(first + begin, end - begin), values_.data(),
+                                   &pushes[first + begin])};
     };
     const Largest asked =
-        sum_in_order<Largest>(executor, colour_begin_[colour + 1] - first, contacts_in_run, part, largest_);
+        sum_in_order<Largest>(executor, colour_begin[colour + 1] - first, contacts_in_run, part, largest_);
     largest = std::max(largest, asked.value);
   }
   return largest;
 }
 
-double ContactSweeps::push(std::size_t place, std::vector<Vec3>& values) {
-  const SurfaceContact& contact = contacts_[place];
-  const Vec3 r = contact.sum(values);
-  const double depth = contact.least - contact.normal.dot(r);
-  if (!(depth > 0.0)) return 0.0;
-  pushed_[place] = 1;
-  Vec3 change = depth * contact.normal;
-  if (contact.friction > 0.0) {
-    const Vec3 moved = r - contact.held, along = moved - moved.dot(contact.normal) * contact.normal;
-    const double length = along.norm(), most = contact.friction * depth;
-    change -= (length > most ? most / length : 1.0) * along;
+/// Those that pushed when all were looked at. Whether they are so much fewer that it pays.
+bool ContactSweeps::choose_active(Executor& executor) {
+  active_begin_.assign(1, 0);
+  for (std::size_t colour = 0; colour + 1 < colour_begin_.size(); ++colour) {
+    active_begin_.push_back(std::accumulate(pushes_.begin() + std::ptrdiff_t(colour_begin_[colour]),
+                                            pushes_.begin() + std::ptrdiff_t(colour_begin_[colour + 1]),
+                                            active_begin_.back()));
   }
-  const Vec3 impulse = change / inverse_masses_[place];
-  for_each_moved(contact, inverse_mass_,
-                 [&](Index i, double weight) { values[i] += weight * inverse_mass_[i] * impulse; });
-  return depth;
+  if (3 * active_begin_.back() > 2 * contacts_.size()) return false;
+  active_.resize(active_begin_.back());
+  active_pushes_.resize(active_begin_.back());
+  executor.parallel_for(active_begin_.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t colour = begin; colour < end; ++colour) {
+      std::size_t next = active_begin_[colour];
+      for (std::size_t c = colour_begin_[colour]; c < colour_begin_[colour + 1]; ++c) {
+        if (pushes_[c] != 0) active_[next++] = contacts_[c];
+      }
+    }
+  });
+  return true;
 }
 
 std::size_t ContactSweeps::bytes() const {
-  return contacts_.capacity() * sizeof(SurfaceContact) + inverse_masses_.capacity() * sizeof(double) +
-         pushed_.capacity() + (place_.capacity() + particles_.capacity()) * sizeof(Index) +
-         colour_begin_.capacity() * sizeof(std::size_t) + colour_.capacity() * sizeof(unsigned) +
-         taken_.capacity() * sizeof(std::uint64_t);
+  return (contacts_.capacity() + active_.capacity()) * sizeof(PackedContact) + pushed_.capacity() +
+         pushes_.capacity() + active_pushes_.capacity() +
+         (place_.capacity() + particles_.capacity() + met_.capacity() + met_place_.capacity()) *
+             sizeof(Index) +
+         (colour_begin_.capacity() + active_begin_.capacity()) * sizeof(std::size_t) +
+         colour_.capacity() * sizeof(unsigned) + taken_.capacity() * sizeof(std::uint64_t) +
+         values_.capacity() * sizeof(double);
 }
 
 }  // namespace hooke

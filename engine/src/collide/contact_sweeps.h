@@ -9,6 +9,9 @@
 #include <hooke/index.h>
 #include <hooke/vec3.h>
 
+#include "aligned.h"
+#include "collide/contact_push.h"
+
 namespace hooke {
 
 /// A contact of up to four particles. With r = sum of weights times what particles have (places, or
@@ -39,13 +42,19 @@ bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inve
 /// Friction takes of what slides at most its share of the same push. A contact's moves sum to zero when they
 /// are weighed by mass, so momentum is kept. Contacts of one colour share no particle: a sweep is the same on
 /// any number of threads.
+///
+/// Most contacts of a pile push in no sweep or in all of them, so most sweeps go over those only that pushed
+/// when all were looked at last; they end where all ask for little.
 class ContactSweeps {
  public:
   /// [1/kg] of all particles, 0 of what is not moved.
   explicit ContactSweeps(const std::vector<double>& inverse_mass);
 
+  /// The particles of these contacts, and of more that have no others, are those of the next runs.
+  void find_particles(const std::vector<SurfaceContact>& contacts);
+
   /// The contacts of the next runs. Those none of whose particles can be moved must be left out.
-  void set(const std::vector<SurfaceContact>& contacts);
+  void set(const std::vector<SurfaceContact>& contacts, Executor& executor);
 
   /// Changes `values` of all particles until contacts ask for no more than `least`, or `share` of what they
   /// asked for at first; at most so many times. Returns how often.
@@ -66,20 +75,28 @@ class ContactSweeps {
     void add(const Largest& other) { value = std::max(value, other.value); }
   };
 
-  void find_particles(const std::vector<SurfaceContact>& contacts);
   void choose_colours(const std::vector<SurfaceContact>& contacts);
-  double sweep(std::vector<Vec3>& values, Executor& executor);
-  double push(std::size_t place, std::vector<Vec3>& values);
+  PackedContact packed(const SurfaceContact& contact) const;
+  void load(const std::vector<Vec3>& values);
+  void store(std::vector<Vec3>& values) const;
+  double sweep(std::span<const PackedContact> contacts, const std::vector<std::size_t>& colour_begin,
+               std::vector<unsigned char>& pushes, Executor& executor);
+  bool choose_active(Executor& executor);
 
   const std::vector<double>& inverse_mass_;
-  std::vector<SurfaceContact> contacts_;   ///< colour by colour
-  std::vector<double> inverse_masses_;     ///< of each: what its push moves its gap by
-  std::vector<unsigned char> pushed_;      ///< of each
-  std::vector<Index> place_;               ///< in `contacts_`, of each that was given
-  std::vector<std::size_t> colour_begin_;  ///< one more than there are colours
-  std::vector<unsigned> colour_;           ///< of each that was given
-  std::vector<std::uint64_t> taken_;       ///< of each particle: colours of its contacts
+  std::vector<PackedContact> contacts_;  ///< colour by colour
+  std::vector<PackedContact> active_;    ///< those that pushed when all were looked at last, likewise
+  std::vector<unsigned char> pushes_;    ///< of each contact, when all were looked at last
+  std::vector<unsigned char> active_pushes_;
+  std::vector<unsigned char> pushed_;                     ///< of each contact, in this run
+  std::vector<Index> place_;                              ///< in `contacts_`, of each that was given
+  std::vector<std::size_t> colour_begin_, active_begin_;  ///< one more than there are colours
+  std::vector<unsigned> colour_;                          ///< of each that was given
+  std::vector<std::uint64_t> taken_;                      ///< of each particle: colours of its contacts
   std::vector<Index> particles_;
+  std::vector<Index> met_;        ///< particles of the contacts, also those that cannot be moved
+  std::vector<Index> met_place_;  ///< of each particle, among those
+  AlignedVector<double> values_;  ///< of those: see PackedValues
   std::vector<Largest> largest_;
 };
 

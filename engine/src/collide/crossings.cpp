@@ -9,8 +9,8 @@
 namespace hooke {
 namespace {
 
-/// Edges, or edges with triangles, that one thread takes at a time.
-constexpr std::size_t in_run = 1024;
+/// Edges with triangles that one thread takes at a time, and groups of edges.
+constexpr std::size_t in_run = 1024, groups_at_once = 8;
 
 /// orientation() of the ends of two edges: exactly the same for an edge of two triangles, whichever way round
 /// they name it.
@@ -94,34 +94,27 @@ void gather_in_runs(std::size_t count, std::vector<std::vector<Item>>& runs, std
 
 }  // namespace
 
-void Crossings::look(const Places& start, const Places& end, double reach, Executor& executor) {
-  boxes_.resize(surface_.triangles.size());
-  executor.parallel_for(boxes_.size(), in_run, [&](std::size_t begin, std::size_t last) {
-    for (std::size_t t = begin; t < last; ++t) {
-      boxes_[t] = {};
-      for (const Index corner : surface_.triangles[t])
-        boxes_[t].widen(start[corner]), boxes_[t].widen(end[corner]);
-      boxes_[t].grow(reach);
+void Crossings::look(const BoxTree& edges, const BoxTree& triangles, const Places* at, double distance,
+                     Executor& executor) {
+  const auto may_cross = [&](Index edge, Index triangle) {
+    const Edge& ends = surface_.edges[edge];
+    const Triangle& corners = surface_.triangles[triangle];
+    return !share_a_particle(ends, corners) && (at == nullptr || !are_apart(*at, ends, corners, distance));
+  };
+  near_runs_.resize(edges.groups());
+  executor.parallel_for(edges.groups(), groups_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t g = begin; g < end; ++g) {
+      NearRun& run = near_runs_[g];
+      run.near.clear();
+      triangles.for_each_meeting(edges, g, run.groups, [&](std::size_t place, Index triangle) {
+        const Index edge = edges.group(g)[place];
+        if (may_cross(edge, triangle)) run.near.emplace_back(edge, triangle);
+      });
     }
   });
-  triangles_.build(boxes_);
-  const bool is_on_way = &start != &end;
-  const auto add = [&](std::size_t edge, std::vector<EdgeAndTriangle>& near) {
-    AxisBox box;
-    for (const Index particle : {surface_.edges[edge].first, surface_.edges[edge].second})
-      box.widen(start[particle]), box.widen(end[particle]);
-    const auto may_cross = [&](Index triangle) {
-      const Edge& pair = surface_.edges[edge];
-      const Triangle& corners = surface_.triangles[triangle];
-      return !share_a_particle(pair, corners) && (is_on_way || !are_apart(end, pair, corners, reach));
-    };
-    const std::size_t first = near.size();
-    triangles_.for_each_meeting(box, 0, [&](Index triangle) {
-      if (may_cross(triangle)) near.emplace_back(Index(edge), triangle);
-    });
-    std::sort(near.begin() + std::ptrdiff_t(first), near.end());
-  };
-  gather_in_runs(surface_.edges.size(), near_runs_, near_, add, executor);
+  near_.clear();
+  for (const NearRun& run : near_runs_) near_.insert(near_.end(), run.near.begin(), run.near.end());
+  std::sort(near_.begin(), near_.end());
 }
 
 const std::vector<Crossing>& Crossings::find(const Places& places, Executor& executor) {
@@ -134,11 +127,10 @@ const std::vector<Crossing>& Crossings::find(const Places& places, Executor& exe
 }
 
 std::size_t Crossings::bytes() const {
-  std::size_t near = near_.capacity(), found = found_.capacity();
-  for (const auto& run : near_runs_) near += run.capacity();
+  std::size_t near = near_.capacity(), groups = 0, found = found_.capacity();
+  for (const NearRun& run : near_runs_) near += run.near.capacity(), groups += run.groups.capacity();
   for (const auto& run : found_runs_) found += run.capacity();
-  return near * sizeof(EdgeAndTriangle) + found * sizeof(Crossing) + boxes_.capacity() * sizeof(AxisBox) +
-         triangles_.bytes();
+  return near * sizeof(EdgeAndTriangle) + groups * sizeof(std::size_t) + found * sizeof(Crossing);
 }
 
 }  // namespace hooke

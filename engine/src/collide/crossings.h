@@ -6,8 +6,8 @@
 
 #include <hooke/executor.h>
 
+#include "collide/box_tree.h"
 #include "collide/close_pairs.h"
-#include "collide/hash_grid.h"
 
 namespace hooke {
 
@@ -25,9 +25,10 @@ class Crossings {
  public:
   explicit Crossings(const Surface& surface) : surface_(surface) {}
 
-  /// Looks which edges and triangles get within `reach` [m] of each other on straight ways from `start` to
-  /// `end`, which may be one; only those are tested, until the next look.
-  void look(const Places& start, const Places& end, double reach, Executor& executor);
+  /// Looks which edges and triangles have boxes that meet; only those are tested, until the next look. Where
+  /// boxes are around one place of each, `at`, what is further apart there than `distance` [m] is left out.
+  void look(const BoxTree& edges, const BoxTree& triangles, const Places* at, double distance,
+            Executor& executor);
 
   /// Whether there is nothing to test.
   bool none_near() const { return near_.empty(); }
@@ -41,11 +42,15 @@ class Crossings {
  private:
   using EdgeAndTriangle = std::pair<Index, Index>;
 
+  /// What one group of edges is near.
+  struct NearRun {
+    std::vector<std::size_t> groups;
+    std::vector<EdgeAndTriangle> near;
+  };
+
   const Surface& surface_;
-  std::vector<AxisBox> boxes_;
-  HashGrid triangles_;
   std::vector<EdgeAndTriangle> near_;
-  std::vector<std::vector<EdgeAndTriangle>> near_runs_;
+  std::vector<NearRun> near_runs_;
   std::vector<std::vector<Crossing>> found_runs_;
   std::vector<Crossing> found_;
 };

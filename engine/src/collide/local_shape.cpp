@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "collide/prepared_mesh.h"
+
 namespace hooke {
 namespace {
 
@@ -49,7 +51,7 @@ LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size
   if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) return LocalCapsule<Real>(*capsule);
   if (const auto* box = std::get_if<BoxShape>(&shape)) return LocalBox<Real>(*box);
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
-    return looked_up(std::make_shared<const MeshDistance<Real>>(welded_surface(*mesh), reach), blocks);
+    return looked_up(prepared_mesh<Real>(*mesh, reach), blocks);
   const auto& field = std::get<HeightfieldShape>(shape);
   return looked_up(std::make_shared<const HeightDistance<Real>>(field, reach), blocks);
 }

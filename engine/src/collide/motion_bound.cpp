@@ -48,10 +48,24 @@ void MotionBound<Real>::Places::remember(const State<Real>& state) {
 }
 
 template <class Real>
-void MotionBound<Real>::look(const State<Real>& state, double far, double far_motion) {
-  looked_.remember(state);
+void MotionBound<Real>::Places::move_on(const State<Real>& start, const State<Real>& next, Real share) {
+  const Real* const from[] = {start.x(), start.y(), start.z()};
+  const Real* const to[] = {next.x(), next.y(), next.z()};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < next.size(); ++i) of[k][i] += share * (to[k][i] - from[k][i]);
+  }
+}
+
+template <class Real>
+void MotionBound<Real>::look(const State<Real>& start, const State<Real>& next, double ahead) {
+  looked_.remember(next);
+  if (ahead > 0.0) looked_.move_on(start, next, Real(ahead));
   measured_ = looked_;
   near_moved_ = all_moved_ = 0.0;
+}
+
+template <class Real>
+void MotionBound<Real>::choose_near(double far, double far_motion) {
   far_motion_ = far_motion;
   sort_into_cells(far);
 }

@@ -26,9 +26,18 @@ class MotionBound {
   /// The particles' numbers in the engine's order, sorted.
   explicit MotionBound(const std::vector<Index>& particles);
 
-  /// Remembers where they are. Two of them are near each other where they are less than `far` [m] apart;
-  /// farther ones may come `far_motion` [m] nearer to each other.
-  void look(const State<Real>& state, double far, double far_motion);
+  /// Remembers where they are going to be after `ahead` more steps like this one. choose_near() must follow.
+  void look(const State<Real>& start, const State<Real>& next, double ahead);
+
+  /// Two of them are near each other where they are less than `far` [m] apart there; farther ones may come
+  /// `far_motion` [m] nearer to each other.
+  void choose_near(double far, double far_motion);
+
+  /// Where it has looked at a particle [m].
+  Vec3 looked(Index particle) const {
+    return {double(looked_.of[0][particle]), double(looked_.of[1][particle]),
+            double(looked_.of[2][particle])};
+  }
 
   /// At least as much as any two that are near each other have moved against each other since [m], at both
   /// ends of a step; exact only where it is more than `enough`. Infinite where what is far may come near.
@@ -68,6 +77,7 @@ class MotionBound {
     std::vector<Real> of[3];
 
     void remember(const State<Real>& state);
+    void move_on(const State<Real>& start, const State<Real>& next, Real share);
   };
   using Arrays = const Real* [3];
 
@@ -79,7 +89,7 @@ class MotionBound {
   std::vector<Run> runs_;
   Places looked_, measured_;  ///< where particles were then
   double far_motion_ = 0.0;
-  double near_moved_ = 0.0, all_moved_ = 0.0;  ///< from looked_ to measured_
+  double near_moved_ = 0.0, all_moved_ = 0.0;  ///< between looked_ and measured_
   std::vector<Index> cell_;                    ///< of each particle of the runs
   std::size_t cells_ = 0;
   std::vector<std::pair<Index, Index>> neighbours_;  ///< cells that touch, each with itself too

@@ -30,8 +30,8 @@ double time_of_touch(const ClosePair& pair, const PairPlaces& start, const PairP
 
 /// Whether the nearest points of two edges lie within both. Where one is an end, the pair of that corner and
 /// a triangle at the other edge says the same.
-bool is_within_both(const ClosestPoints& points) {
-  for (const double weight : points.weights) {
+bool is_within_both(const SurfaceContact& contact) {
+  for (const double weight : contact.weights) {
     if (weight == 0.0) return false;
   }
   return true;
@@ -70,6 +70,13 @@ bool is_known(const SurfaceContact& contact, const std::vector<SurfaceContact>& 
   return false;
 }
 
+/// The first pair from this one on that begins another first particle than the one before: what is found of a
+/// corner may not depend on where runs begin.
+std::size_t begin_of_particle(const std::vector<ClosePair>& pairs, std::size_t pair) {
+  while (pair > 0 && pair < pairs.size() && pairs[pair].particles[0] == pairs[pair - 1].particles[0]) ++pair;
+  return std::min(pair, pairs.size());
+}
+
 }  // namespace
 
 template <class Look>
@@ -81,8 +88,8 @@ std::span<const NarrowPhase::Run> NarrowPhase::look_at(const std::vector<ClosePa
     for (std::size_t r = begin; r < end; ++r) {
       Run& run = runs_[r];
       run.contacts.clear(), run.crossing.clear(), run.passed = false;
-      for (std::size_t i = r * pairs_in_run; i < std::min(pairs.size(), (r + 1) * pairs_in_run); ++i)
-        look(pairs[i], run);
+      const std::size_t last = begin_of_particle(pairs, (r + 1) * pairs_in_run);
+      for (std::size_t i = begin_of_particle(pairs, r * pairs_in_run); i < last; ++i) look(pairs[i], run);
     }
   });
   return {runs_.data(), count};
@@ -97,13 +104,20 @@ double NarrowPhase::least_distance(const ClosePair& pair, double before) const {
 
 std::vector<SurfaceContact>& NarrowPhase::contacts_of(const std::vector<ClosePair>& pairs, const Step& step,
                                                       Executor& executor) {
-  contacts_.clear();
   passed_ = false;
   const auto look_at_one = [&](const ClosePair& pair, Run& run) { look(pair, step, run); };
-  for (const Run& run : look_at(pairs, look_at_one, executor)) {
-    contacts_.insert(contacts_.end(), run.contacts.begin(), run.contacts.end());
+  const std::span<const Run> runs = look_at(pairs, look_at_one, executor);
+  begin_.assign(1, 0);
+  for (const Run& run : runs) {
+    begin_.push_back(begin_.back() + run.contacts.size());
     passed_ = passed_ || run.passed;
   }
+  contacts_.resize(begin_.back());
+  executor.parallel_for(runs.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r)
+      std::copy(runs[r].contacts.begin(), runs[r].contacts.end(),
+                contacts_.begin() + std::ptrdiff_t(begin_[r]));
+  });
   return contacts_;
 }
 
@@ -111,8 +125,8 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
   if (is_far(pair, step)) return;
   const PairPlaces end = places_of(pair, step.end);
   ClosestPoints points = closest_points(pair.kind, end);
-  double distance = points.distance();
-  double time = 1.0;
+  const double distance_at_end = points.distance();
+  double distance = distance_at_end, time = 1.0;
   if (swept_ && distance <= step.motion) {
     const PairPlaces start = places_of(pair, step.start);
     time = time_of_touch(pair, start, end, distance, 0.5);
@@ -125,15 +139,28 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
   SurfaceContact contact{pair.particles, points.weights, points.between / distance,
                          pair.thickness, Vec3::Zero(),   friction_};
   if (!can_be_moved(contact, step.inverse_mass)) return;
-  if (pair.kind == PairKind::corner_triangle) {
-    if (is_neighbours_only(pair, contact) || is_known(contact, run.contacts)) return;
-  } else if (!is_within_both(points)) {
+  if (is_left_to_others(pair, contact, run)) {
+    run.passed = run.passed || (time < 1.0 && is_crossing(pair, step, distance_at_end));
     return;
   }
   contact.held = contact.sum(step.start);
-  if (time == 1.0) contact.least = least_distance(pair, contact.normal.dot(contact.held));
+  // What would pass goes back to where it came near, and not all the way to its thickness either.
+  contact.least = least_distance(pair, time < 1.0 ? distance : contact.normal.dot(contact.held));
   run.contacts.push_back(contact);
   run.passed = run.passed || time < 1.0;
+}
+
+/// Whether another pair has this contact, too, or nearest corners are joined. Where such a pair comes near,
+/// it may still cross later in the step, where its nearest points are others.
+bool NarrowPhase::is_left_to_others(const ClosePair& pair, const SurfaceContact& contact, const Run& run) {
+  if (pair.kind == PairKind::edge_edge) return !is_within_both(contact);
+  return is_neighbours_only(pair, contact) || is_known(contact, run.contacts);
+}
+
+bool NarrowPhase::is_crossing(const ClosePair& pair, const Step& step, double distance_at_end) {
+  if (distance_at_end > step.motion) return false;
+  return time_of_touch(pair, places_of(pair, step.start), places_of(pair, step.end), distance_at_end, 0.1) <
+         1.0;
 }
 
 const std::vector<ClosePair>& NarrowPhase::crossing(const std::vector<ClosePair>& pairs, const Step& step,
@@ -141,10 +168,8 @@ const std::vector<ClosePair>& NarrowPhase::crossing(const std::vector<ClosePair>
   crossing_.clear();
   const auto look_at_one = [&](const ClosePair& pair, Run& run) {
     if (is_far(pair, step)) return;
-    const PairPlaces start = places_of(pair, step.start), end = places_of(pair, step.end);
-    const double distance = closest_points(pair.kind, end).distance();
-    if (distance <= step.motion && time_of_touch(pair, start, end, distance, 0.1) < 1.0)
-      run.crossing.push_back(pair);
+    const double distance = closest_points(pair.kind, places_of(pair, step.end)).distance();
+    if (is_crossing(pair, step, distance)) run.crossing.push_back(pair);
   };
   for (const Run& run : look_at(pairs, look_at_one, executor))
     crossing_.insert(crossing_.end(), run.crossing.begin(), run.crossing.end());
@@ -157,7 +182,8 @@ std::size_t NarrowPhase::bytes() const {
     contacts += run.contacts.capacity();
     pairs += run.crossing.capacity();
   }
-  return contacts * sizeof(SurfaceContact) + pairs * sizeof(ClosePair);
+  return contacts * sizeof(SurfaceContact) + pairs * sizeof(ClosePair) +
+         begin_.capacity() * sizeof(std::size_t);
 }
 
 }  // namespace hooke

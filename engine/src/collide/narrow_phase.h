@@ -33,7 +33,7 @@ class NarrowPhase {
   std::vector<SurfaceContact>& contacts_of(const std::vector<ClosePair>& pairs, const Step& step,
                                            Executor& executor);
 
-  /// Whether one of these was of a pair that passes, or would without it.
+  /// Whether one of these was of a pair that passes, or would without it; or a pair without a contact passes.
   bool passed() const { return passed_; }
 
   /// The pairs that come much nearer on their straight ways than they were at the start: a tenth, of what is
@@ -63,11 +63,14 @@ class NarrowPhase {
   template <class Look>
   std::span<const Run> look_at(const std::vector<ClosePair>& pairs, const Look& look, Executor& executor);
   void look(const ClosePair& pair, const Step& step, Run& run) const;
+  static bool is_left_to_others(const ClosePair& pair, const SurfaceContact& contact, const Run& run);
+  static bool is_crossing(const ClosePair& pair, const Step& step, double distance_at_end);
 
   double thickness_, friction_;
   bool swept_, passed_ = false;
   std::vector<Run> runs_;
   std::vector<SurfaceContact> contacts_;
+  std::vector<std::size_t> begin_;  ///< of each run's, in `contacts_`
   std::vector<ClosePair> crossing_;
 };
 

@@ -25,7 +25,8 @@ enum EffectPart : unsigned {
                    ///< is a derivative
   corrects_strips = 16,      ///< correct_strip()
   corrects_everything = 32,  ///< correct()
-  carries_forces = 64        ///< forget_forces(), and carried_force() or pair_forces()
+  carries_forces = 64,       ///< forget_forces(), and carried_force() or pair_forces()
+  remembers_pairs = 128      ///< begin_pairs()
 };
 
 /// An effect, compiled for a scene: a force, or something that is done to the result of a step, or both. What
@@ -106,6 +107,9 @@ class CompiledEffect {
   /// `first` on.
   virtual std::size_t memory_size() const { return 0; }
   virtual void begin_memory(std::size_t /*first*/, std::span<Real> /*own*/) {}
+
+  /// It keeps pairs in this list of State::pairs, which are none at the start.
+  virtual void begin_pairs(std::size_t /*list*/) {}
 
   /// Its name, what it reads, writes and the bytes it holds.
   virtual Stage stage() const = 0;

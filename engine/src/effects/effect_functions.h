@@ -166,5 +166,7 @@ template <>
 inline constexpr bool corrects_results<Stitch> = true;
 template <>
 inline constexpr bool corrects_results<SelfCollision> = true;
+template <>
+inline constexpr bool corrects_results<ParticleContact> = true;  // what has slid is noted after each step
 
 }  // namespace hooke

@@ -42,6 +42,8 @@ EffectList<Real>::EffectList(const Scene& scene, const Model<Real>& model) {
   std::stable_sort(correctors_.begin(), correctors_.end(),
                    [](const auto* a, const auto* b) { return a->correction_rank() < b->correction_rank(); });
   carriers_ = with(carries_forces);
+  pair_keepers_ = with(remembers_pairs);
+  for (std::size_t list = 0; list < pair_keepers_.size(); ++list) pair_keepers_[list]->begin_pairs(list);
   share_out_memory();
 }
 

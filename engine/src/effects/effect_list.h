@@ -105,6 +105,9 @@ class EffectList {
   /// State::memory at the start.
   const std::vector<Real>& initial_memory() const { return initial_memory_; }
 
+  /// The number of lists of State::pairs.
+  std::size_t pair_lists() const { return pair_keepers_.size(); }
+
   /// Of what is done before forces; of forces and what is done to strips; of the corrections of everything.
   std::vector<Stage> preparation_stages() const;
   std::vector<Stage> strip_stages() const;
@@ -119,7 +122,7 @@ class EffectList {
 
   std::vector<EffectPointer<Real>> effects_;
   Some forces_, uncoupled_, coupled_, prepared_, uncoupled_derived_, coupled_derived_, strip_correctors_,
-      correctors_, carriers_;
+      correctors_, carriers_, pair_keepers_;
   std::vector<Real> initial_memory_;
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "effects/effect_functions.h"
+#include "effects/named_particles.h"
 
 namespace hooke {
 namespace {
@@ -71,16 +72,7 @@ template EffectPointer<float> compile_effect(const ForceScript&, const EffectCon
 template EffectPointer<double> compile_effect(const ForceScript&, const EffectContext<double>&);
 
 void check_effect(const ForceScript& script, const Scene& scene, const ElementChecks& checks) {
-  std::vector<bool> named(scene.particles.size(), false);
-  for (std::size_t i = 0; i < script.particles.size(); ++i) {
-    const Index particle = script.particles[i];
-    const std::string at = "particles[" + std::to_string(i) + "]";
-    checks.in_range(at, particle, named.size(), "particles");
-    if (particle >= named.size()) continue;
-    if (named[particle])
-      checks.add(at + " is " + std::to_string(particle) + ", which is named before", "name it once");
-    named[particle] = true;
-  }
+  check_named_once(script.particles, scene.particles.size(), checks);
   check_keyframes(script.keyframes, checks);
 }
 

@@ -36,6 +36,13 @@ std::vector<Index> chosen_springs(const std::vector<Index>& listed, const Spring
   return all;
 }
 
+std::vector<Index> creeping_springs(const Plasticity& plasticity, const Springs& springs) {
+  if (plasticity.rate == 0.0 || plasticity.largest == 0.0) return {};
+  std::vector<Index> creeping = chosen_springs(plasticity.springs, springs);
+  std::erase_if(creeping, [&](Index s) { return springs.stiffness[s] == 0.0; });
+  return creeping;
+}
+
 std::vector<bool> cable_mask(const Scene& scene) {
   std::vector<bool> mask;
   for (const Effect& effect : scene.effects) {

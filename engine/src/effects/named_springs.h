@@ -10,6 +10,9 @@ namespace hooke {
 /// The springs that an effect is for: those that it lists, or where it lists none, all with a rest length.
 std::vector<Index> chosen_springs(const std::vector<Index>& listed, const Springs& springs);
 
+/// The springs of Plasticity that can creep, in the order in which it remembers how far they have.
+std::vector<Index> creeping_springs(const Plasticity& plasticity, const Springs& springs);
+
 /// For each spring whether it is a cable; empty of a scene that names none.
 std::vector<bool> cable_mask(const Scene& scene);
 

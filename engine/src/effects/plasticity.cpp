@@ -151,11 +151,8 @@ HOOKE_PLASTICITY_IN(double)
 /// Springs of two particles with the coefficients k, l0.
 Elements elements_of(const Plasticity& plasticity, const Springs& springs) {
   Elements elements{2, 2};
-  if (plasticity.rate == 0.0 || plasticity.largest == 0.0) return elements;
-  for (const Index s : chosen_springs(plasticity.springs, springs)) {
-    if (springs.stiffness[s] > 0.0)
-      elements.add({springs.first[s], springs.second[s]}, {springs.stiffness[s], springs.rest_length[s]});
-  }
+  for (const Index s : creeping_springs(plasticity, springs))
+    elements.add({springs.first[s], springs.second[s]}, {springs.stiffness[s], springs.rest_length[s]});
   return elements;
 }
 

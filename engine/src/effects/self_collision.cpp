@@ -34,13 +34,30 @@ constexpr double depth_tolerance = 0.01;
 /// or than this share of the thickness in a step.
 constexpr double speed_tolerance = 0.03, speed_tolerance_of_thickness = 1e-5;
 
-/// Pairs are looked for that are so much further apart than contacts are [m]: the more, the longer they do
-/// for, and the more they are. Less than the distance of neighbours that share no particle.
-double margin_of(double thickness, const Surface& surface, const Places& places) {
+/// The mean edge at the start [m].
+double mean_edge(const Surface& surface, const Places& places) {
   double sum = 0.0;
   for (const auto& [a, b] : surface.edges) sum += (places[a] - places[b]).norm();
-  return std::max(0.5 * thickness, surface.edges.empty() ? 0.0 : 0.25 * sum / double(surface.edges.size()));
+  return surface.edges.empty() ? 0.0 : sum / double(surface.edges.size());
 }
+
+/// Pairs are looked for that are so much further apart than contacts are [m]: the more, the longer they do
+/// for, and the more they are.
+struct Margins {
+  double narrow;  ///< where cloth lies on cloth
+  double wide;    ///< elsewhere: neighbours that share no particle should not be pairs
+
+  Margins(double thickness, double edge)
+      : narrow(0.5 * thickness),
+        wide(std::max({narrow, 0.25 * edge, 0.6 * edge - NarrowPhase::active_distance(thickness)})) {}
+};
+
+/// More pairs than so many times the corners are of cloth that lies on cloth.
+constexpr double crowd = 8.0;
+
+/// Where cloth lies on nothing, pairs are looked for where particles are going to be, so many steps ahead, so
+/// that they hold for longer: as far as uses up this share of the margin.
+constexpr double most_ahead = 500.0, least_ahead = 0.2, share_ahead = 0.75;
 
 Places start_of(const Scene& scene, const Order& order) {
   Places places(order.size());
@@ -71,7 +88,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         start_(start_of(context.scene, context.model.order)),
         end_(start_),
         velocity_(start_),
-        margin_(margin_of(collision.thickness, surface_, start_)),
+        looked_(start_),
+        margins_(collision.thickness, mean_edge(surface_, start_)),
+        margin_(margins_.wide),
         close_pairs_(surface_, start_, collision.thickness),
         bound_(surface_.corners),
         free_mass_(inverse_masses_of_free(context.scene, context.model.order)),
@@ -104,7 +123,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   Stage stage() const override {
-    const std::size_t places = start_.capacity() + end_.capacity() + velocity_.capacity();
+    const std::size_t places =
+        start_.capacity() + end_.capacity() + velocity_.capacity() + looked_.capacity();
     return {std::string(SelfCollision::name),
             {},
             {"position", "velocity", "mass", "triangles"},
@@ -126,7 +146,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     let_all_go(result);
     if (is_tangled) draw_apart(result, executor);
     const bool touches = push_apart(result, executor);
-    if (!touches && !is_tangled) return;
+    if (!touches && !is_tangled && !pushed_far_) return;
     if (collision_.swept && pushed_far_) stop_what_crosses(result, executor);
     store(result, executor);
   }
@@ -197,19 +217,33 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     pairs_ = &no_pairs_;
     pairs_hold_ = false;
     if (!is_finite()) return;  // such a step is not taken
-    const double motion = bound_.between(result.start, result.next, executor);
-    const double active = NarrowPhase::active_distance(collision_.thickness), reach = active + margin_;
-    const double longest = longest_edge();
-    const double far = 2.0 * longest + reach + far_margins * margin_;
-    bound_.look(result.next, far, far - 2.0 * longest - active);
-    measure_motion(result, executor);
+    margin_ = is_crowd_ ? margins_.narrow : margins_.wide;
+    look(result, 0.0, executor);
+    pairs_hold_ = moved_ <= margin_;
+    const double ahead = std::min(most_ahead, share_ahead * margin_ / moved_ - 1.0);
+    if (pairs_hold_ && !is_crowd_ && ahead > least_ahead) look(result, ahead, executor);
     // What is fast is looked at along its way in this step alone.
-    const bool is_fast = !(moved_ <= 0.5 * margin_);
-    moved_ = std::min(moved_, rounding * motion);
-    pairs_ = &close_pairs_.find(is_fast ? start_ : end_, end_, reach, executor);
-    if (untangling_) untangling_->crossings().look(is_fast ? start_ : end_, end_, margin_, executor);
-    pairs_hold_ = !is_fast;
+    if (!pairs_hold_)
+      moved_ = std::min(moved_, rounding * bound_.between(result.start, result.next, executor));
+    const double reach = NarrowPhase::active_distance(collision_.thickness) + margin_;
+    pairs_ = pairs_hold_ ? &close_pairs_.find(looked_, looked_, reach, executor)
+                         : &close_pairs_.find(start_, end_, reach, executor);
+    if (untangling_) {
+      untangling_->crossings().look(close_pairs_.edge_boxes(), close_pairs_.triangle_boxes(),
+                                    pairs_hold_ ? &looked_ : nullptr, margin_, executor);
+    }
     for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
+    is_crowd_ = double(pairs_->size()) > crowd * double(surface_.corners.size());
+  }
+
+  /// At where particles are going to be after so many more steps like this one.
+  void look(const StepResult<Real>& result, double ahead, Executor& executor) {
+    bound_.look(result.start, result.next, ahead);
+    for (const Index i : surface_.corners) looked_[i] = bound_.looked(i);
+    const double edges = 2.0 * longest_edge(), active = NarrowPhase::active_distance(collision_.thickness);
+    const double far = edges + active + margin_ + far_margins * margins_.wide;
+    bound_.choose_near(far, far - edges - active);
+    measure_motion(result, executor);
   }
 
   bool is_finite() const {
@@ -217,10 +251,11 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
                        [&](Index i) { return start_[i].allFinite() && end_[i].allFinite(); });
   }
 
-  /// At the end of the step [m].
+  /// Where pairs are looked for [m].
   double longest_edge() const {
     double square = 0.0;
-    for (const auto& [a, b] : surface_.edges) square = std::max(square, (end_[a] - end_[b]).squaredNorm());
+    for (const auto& [a, b] : surface_.edges)
+      square = std::max(square, (looked_[a] - looked_[b]).squaredNorm());
     return std::sqrt(square);
   }
 
@@ -279,6 +314,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       if (round > 0) begin_round(result, executor);
       std::vector<SurfaceContact>& contacts =
           narrow_phase_.contacts_of(pairs_kept_apart(), step_of(result, executor), executor);
+      pushed_far_ = pushed_far_ || narrow_phase_.passed();
       if (contacts.empty()) break;
       touches = true;
       pushed_far_ = push(contacts, result.h, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
@@ -292,9 +328,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// How far particles are moved, at most [m].
   double push(std::vector<SurfaceContact>& contacts, double h, Executor& executor) {
-    sweeps_.set(contacts);
+    sweeps_.find_particles(contacts);
     const std::size_t pairs = add_obstacles(contacts, h);
-    if (obstacles_.size() > 0) sweeps_.set(contacts);
+    sweeps_.set(contacts, executor);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
     const std::uint64_t sweeps =
@@ -410,7 +446,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// What touches does not approach, and slides as friction lets it.
   void settle(double h, Executor& executor) {
     if (touching_.empty()) return;
-    sweeps_.set(touching_);
+    sweeps_.find_particles(touching_);
+    sweeps_.set(touching_, executor);
     const std::uint64_t sweeps =
         sweeps_.run(velocity_, speed_tolerance, speed_tolerance_of_thickness * collision_.thickness / h,
                     collision_.sweeps, executor);
@@ -442,7 +479,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   SelfCollision collision_;
   Surface surface_;
   Places start_, end_, velocity_;
-  double margin_;
+  Places looked_;  ///< where pairs were looked for
+  Margins margins_;
+  double margin_;  ///< of the pairs that are known
   ClosePairs close_pairs_;
   MotionBound<Real> bound_;
   std::vector<double> free_mass_, inverse_mass_;
@@ -462,6 +501,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   const std::vector<ClosePair> no_pairs_;
   const std::vector<ClosePair>* pairs_ = &no_pairs_;
   bool pairs_hold_ = false, pushed_far_ = false;
+  bool is_crowd_ = true;  ///< whether much lay on one another when pairs were found last
   double moved_ = 0.0, nearest_ = 0.0;
   Report met_with_;  ///< since it was told last
 };

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "effects/effect_functions.h"
+#include "effects/named_particles.h"
 #include "effects/tether_lengths.h"
 
 namespace hooke {
@@ -138,15 +139,7 @@ void check_effect(const Tethers& tethers, const Scene& scene, const ElementCheck
   checks.not_negative("slack", tethers.slack, "");
   if (scene.pins.empty())
     checks.add("the scene has no pins to hold particles by", "pin a particle or leave tethers out");
-  const std::size_t count = scene.particles.size();
-  std::vector<bool> seen(tethers.particles.empty() ? 0 : count, false);
-  for (std::size_t i = 0; i < tethers.particles.size(); ++i) {
-    const Index particle = tethers.particles[i];
-    checks.in_range("particles[" + std::to_string(i) + "]", particle, count, "particles");
-    if (particle >= count) continue;
-    if (seen[particle]) checks.add("names particle " + std::to_string(particle) + " twice", "name it once");
-    seen[particle] = true;
-  }
+  check_named_once(tethers.particles, scene.particles.size(), checks);
   check_ways(tethers, scene, checks);
 }
 

@@ -32,6 +32,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
     if (!effects_.bounds().empty()) {
       State<Real> start = initial_state(context.scene, context.model);
       start.memory = context.forces.effects().initial_memory();
+      start.pairs.resize(context.forces.effects().pair_lists());
       context.forces.prepare(start, start.time, context.executor);
       effects_.add(start, start.time, {Real(1), Real(0)});
       stiffness_at_start_ = effects_.bounds();

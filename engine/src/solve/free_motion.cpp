@@ -29,6 +29,7 @@ FreeMotion<Real>::FreeMotion(const Model<Real>& model, Forces<Real>& forces)
       start_(model.particles()),
       now_(model.particles()) {
   now_.memory = forces.effects().initial_memory();
+  now_.pairs.resize(forces.effects().pair_lists());
 }
 
 template <class Real>
@@ -40,6 +41,7 @@ void FreeMotion<Real>::begin(const Substep& substep, std::size_t begin, std::siz
 template <class Real>
 void FreeMotion<Real>::take_coupled(const Substep& substep, Executor& executor) {
   now_.memory = substep.stage.from.memory;
+  now_.pairs = substep.stage.from.pairs;
   coupled_.take(now_, time_of(substep), weights_of(substep), executor);
 }
 

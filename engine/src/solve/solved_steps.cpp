@@ -25,6 +25,7 @@ SolvedSteps<Real>::SolvedSteps(const Method& method, const SolverContext<Real>& 
   if (!uses_before()) return;
   from_.emplace(model_.particles(), packed_for(model_));
   from_->memory = effects_.initial_memory();
+  from_->pairs.resize(effects_.pair_lists());
 }
 
 template <class Real>
@@ -116,7 +117,8 @@ StageResult SolvedSteps<Real>::take(double h, double time, double time_after, St
   const State<Real>& now = states.now();
   State<Real>& next = states.after(1);
   next.memory = now.memory;
-  if (from_) from_->memory = now.memory;
+  next.pairs = now.pairs;
+  if (from_) from_->memory = now.memory, from_->pairs = now.pairs;
   const StageResult result = [&] {
     if (kind_ == Kind::middle) return take_middle(h, time, time_after, now, next);
     if (kind_ == Kind::two_steps && knows_before_) return take_two_steps(h, time_after, states, next);

@@ -48,6 +48,7 @@ VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjac
       from_(model_.particles()),
       now_(model_.particles(), packed_for(model_)) {
   now_.memory = forces_.effects().initial_memory();
+  now_.pairs.resize(forces_.effects().pair_lists());
   cut_into_strips(colours.begin);
   engine_.reserve(model_.particles());
   for (std::size_t i = 0; i < model_.particles(); ++i)
@@ -97,6 +98,7 @@ void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real
   h_ = Real(stage.h);
   time_ = stage.time;
   now_.memory = stage.from.memory;
+  now_.pairs = stage.from.pairs;
   executor_.parallel_for(engine_.size(), copied_particles, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index e = engine_[i];

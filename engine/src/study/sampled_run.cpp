@@ -20,7 +20,10 @@ Settings settings_of(const StudySettings& settings, const RunPlan& plan) {
 
 SampledRun::SampledRun(const Scene& scene, const StudySettings& settings, const RunPlan& plan,
                        StudyClock& clock)
-    : simulation_(scene, settings_of(settings, plan)), steps_to_horizon_(plan.steps), clock_(clock) {}
+    : simulation_(scene, settings_of(settings, plan)),
+      particles_(scene.particles.size()),
+      steps_to_horizon_(plan.steps),
+      clock_(clock) {}
 
 /// About 0.05 s of steps; at first one, as nothing is known.
 std::uint64_t SampledRun::steps_until_look() const {
@@ -53,6 +56,7 @@ Sample SampledRun::sample(unsigned tick) const {
 void SampledRun::copy_positions(std::vector<double>& positions) const {
   positions.resize(3 * simulation_.particle_count());
   simulation_.copy_positions(positions.data(), 3 * sizeof(double));
+  positions.resize(3 * particles_);
 }
 
 }  // namespace hooke::study

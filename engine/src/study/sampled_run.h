@@ -43,7 +43,8 @@ class SampledRun {
 
   Sample sample(unsigned tick) const;
 
-  /// Positions in the user's numbering: x, y, z of each particle [m].
+  /// Positions in the user's numbering: x, y, z of each particle [m] of the scene, without what has been torn
+  /// off these.
   void copy_positions(std::vector<double>& positions) const;
 
   double time() const { return simulation_.time(); }  ///< [s] simulated
@@ -54,6 +55,7 @@ class SampledRun {
   std::uint64_t steps_until_look() const;
 
   Simulation<double> simulation_;
+  std::size_t particles_;
   std::uint64_t steps_to_horizon_;
   StudyClock& clock_;
   double seconds_ = 0.0;
