@@ -182,17 +182,6 @@ TEST_CASE("self-collision: an edge that crosses another after an end of it came 
   CHECK(count_crossings(simulation, scene) == 0);
 }
 
-TEST_CASE("self-collision: what would pass is put back to where it came near, and from there by and by") {
-  const Scene scene = one_over_another({0.0, -100.0, 0.0}, 0.01, 0.0);
-  Simulation<double> simulation(scene, {.step = 1e-3, .unstable_step = UnstableStep::take, .threads = 1});
-  const Index corner = Index(scene.particles.size()) - 1;
-  REQUIRE(simulation.step().flags == flag_none);
-  CHECK(position(simulation, corner).y() > 0.5 * thickness);
-  CHECK(position(simulation, corner).y() < 0.7 * thickness);
-  REQUIRE(simulation.step(40).flags == flag_none);
-  CHECK(position(simulation, corner).y() == doctest::Approx(thickness).epsilon(0.02));
-}
-
 TEST_CASE_TEMPLATE("self-collision: the same bits on 1, 2 and 5 threads", Real, float, double) {
   const Scene scene = folded_strip(4, 5, 6, 0.02);
   std::vector<std::uint64_t> hashes;

@@ -7,6 +7,7 @@
 
 #include "scenes/hard/asked_method.h"
 #include "scenes/hard/common_criteria.h"
+#include "scenes/hard/contact_watch.h"
 #include "scenes/hard/measures.h"
 #include "scenes/hard/shapes.h"
 
@@ -109,6 +110,49 @@ TEST_CASE("work done from outside is no excess of energy, and energy from nowher
   growing.take(1000);
   CHECK(growing.energy_excess() > 0.5);
   CHECK(growing.largest_rise() > 0.0);
+}
+
+TEST_CASE(
+    "what attached frames put in by their paths is work, drawn and turned; without them it is an excess") {
+  Scene drawn = sheet(6).scene;
+  drawn.springs.damping.assign(drawn.springs.size(), 0.01);
+  FrameAttachment edge{.particles = {0, 6, 12, 18, 24, 30}, .axis = Vec3::UnitX()};
+  edge.path = {{0.0, Vec3::Zero(), 0.0}, {1.0, Vec3(-1.0, 0.2, 0.0), 180.0}};
+  drawn.effects = {edge};
+  drawn.pin(5);
+  drawn.pin(35);
+  WatchedRun<double> run(drawn, {.method = SymplecticEuler{}, .step = 1e-3});
+  const double before = run.simulation().energy().total();
+  run.take(500);
+  CHECK(run.simulation().energy().total() > before + 1.0);
+  CHECK(run.energy_excess() < 0.01);
+
+  Scene scripted = drawn;
+  scripted.effects = {MotionScript{edge.particles, {{0.0, Vec3::Zero()}, {1.0, Vec3(-1.0, 0.2, 0.0)}}}};
+  WatchedRun<double> unknown(scripted, {.method = SymplecticEuler{}, .step = 1e-3});
+  unknown.take(500);
+  CHECK(unknown.energy_excess() > 0.5);
+}
+
+TEST_CASE("edges through triangles and strained springs end what is watched, and are judged") {
+  Scene scene;
+  for (const Vec3& x : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}) scene.pin(scene.add_particle(1.0, x));
+  for (const Vec3& x : {Vec3(0.2, 0.2, 1), Vec3(0.3, 0.2, 1.5), Vec3(0.2, 0.3, 1.5)})
+    scene.add_particle(1.0, x, {0.0, 0.0, -2.0});
+  scene.triangles = {{0, 1, 2}, {3, 4, 5}};
+  scene.add_spring(0, 1, 1.0, 0.8);
+  WatchedRun<double> run(scene, {.method = Verlet{}, .step = 0.1});
+  ContactWatch watch(scene, 0.5);
+  run.take(4);
+  CHECK(watch.look(run));
+  run.take(2);
+  CHECK(!watch.look(run));
+  Judge judge;
+  watch.judge(judge);
+  CHECK(judge.result().outcome == Outcome::fail);
+  CHECK(judge.result().figure_of == "edges through triangles, at most");
+  CHECK(watch.strain() == doctest::Approx(0.25));
+  CHECK(!ContactWatch(scene, 0.2).look(run));
 }
 
 TEST_CASE("measures of states: strains, forces and distances in closed form") {

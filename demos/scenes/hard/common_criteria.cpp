@@ -18,6 +18,8 @@ void judge_run(Judge& judge, const WatchedRun<double>& run) {
   if (!run.trouble().empty()) judge.wrong(run.trouble());
   if (run.unsolved() > 0)
     judge.flag("flagged: " + std::to_string(run.unsolved()) + " steps were not solved to the tolerance");
+  if (run.contacts_left() > 0)
+    judge.flag("flagged: " + std::to_string(run.contacts_left()) + " contacts were left in all");
   judge.at_most("energy above the start and work, as a share of what moved", run.energy_excess(), 0.01);
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "scenes/hard/asked_method.h"
 #include "scenes/hard/cases.h"
@@ -11,25 +10,23 @@ namespace hooke::hard {
 namespace {
 
 constexpr double step = 0.04 / 8, speed = 0.1, friction = 0.02, thickness = 0.005;  // [s], [m/s], [1], [m]
-constexpr int steps_of_frame = 8;
+constexpr int steps_of_frame = 8, frames = 75;
 constexpr std::size_t pulled = 1;  // effect that holds the ends of a ribbon
 constexpr double width = 0.04;     // [m] of a ribbon
 
-/// How finely a ribbon is divided, and how long it is pulled at.
+/// How finely a ribbon is divided.
 struct Size {
-  Index columns;  ///< particles across it
-  double seconds;
+  Index columns;                                                  ///< particles across it
   double spacing() const { return width / double(columns - 1); }  ///< [m]
 };
 
 Size size_of(Extent extent) {
-  if (extent == Extent::whole) return {5, 3.0};
-  return {3, 3.0};
+  return {extent == Extent::whole ? Index{5} : Index{3}};
 }
 
-/// Half of the middle line of the ribbon that comes from the left: over its own other half by x -> -x, z ->
-/// -z lies that of the ribbon from the right. It goes under the other's bight, over its strand, and turns
-/// back under both its strands.
+/// The middle line of half of the ribbon that comes from the left; the other half is its mirror image at -y,
+/// and the ribbon from the right is this one, turned by half a turn about y. It goes under the other's bight,
+/// over its strand, and turns back under both its strands.
 std::vector<Vec3> half_bight() {
   return {{-0.5, 0.05, 0.0}, {-0.32, 0.05, 0.0}, {-0.2, 0.05, -0.03}, {0.0, 0.1, 0.03},
           {0.12, 0.15, 0.0}, {0.2, 0.08, -0.03}, {0.215, 0.0, -0.03}};
@@ -114,7 +111,6 @@ Scene make(Extent extent) {
 
 Result run(const Method& method, Extent extent) {
   const Scene scene = make(extent);
-  const int frames = int(size_of(extent).seconds / (steps_of_frame * step));
   const auto drive = [&](WatchedRun<double>& run, Judge& judge) {
     ContactWatch watch(scene, 0.5);
     double pull = 0.0, slack = 0.0;

@@ -73,8 +73,8 @@ Surface surface_of(const SelfCollision& collision, const Scene& scene, const Ord
   return Surface(std::move(triangles));
 }
 
-/// What crosses is drawn apart so fast, and by no more than a margin in a step.
-constexpr double drawn_margins_per_second = 60.0;
+/// What crosses is drawn apart by so many mean edges a second, and in a step, at most.
+constexpr double drawn_edges_per_second = 15.0, drawn_edges_in_step = 0.25;
 
 /// What is so many margins away counts as far, and may move so much before pairs are found anew.
 constexpr double far_margins = 16.0;
@@ -89,7 +89,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         end_(start_),
         velocity_(start_),
         looked_(start_),
-        margins_(collision.thickness, mean_edge(surface_, start_)),
+        edge_(mean_edge(surface_, start_)),
+        margins_(collision.thickness, edge_),
         margin_(margins_.wide),
         close_pairs_(surface_, start_, collision.thickness),
         bound_(surface_.corners),
@@ -164,10 +165,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   void draw_apart(const StepResult<Real>& result, Executor& executor) {
-    const double share = std::min(1.0, drawn_margins_per_second * result.h);
+    const double most = edge_ * std::min(drawn_edges_in_step, drawn_edges_per_second * result.h);
     obstacles_.move_to(result.time, result.h);
     for (const Index i : surface_.corners) hold_if_pinched(i);
-    const Places& moves = untangling_->draw_apart(end_, margin_ * share);
+    const Places& moves = untangling_->draw_apart(end_, most);
     for (const Index i : surface_.corners) keep_out_of_obstacles(i, moves[i]);
     begin_round(result, executor);
   }
@@ -480,6 +481,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   Surface surface_;
   Places start_, end_, velocity_;
   Places looked_;  ///< where pairs were looked for
+  double edge_;    ///< mean [m]
   Margins margins_;
   double margin_;  ///< of the pairs that are known
   ClosePairs close_pairs_;
