@@ -45,4 +45,17 @@ GridParticles add_level_cloth(Scene& scene, Index side, double width, const Vec3
   return cloth;
 }
 
+Block soft_block(double edge, const Vec3& corner) {
+  return {.nx = 3,
+          .ny = 3,
+          .nz = 3,
+          .spacing = 0.5 * edge,
+          .density = 300.0,
+          .stretch = 300.0,
+          .shear = 150.0,
+          .body = 150.0,
+          .damping = 0.05,
+          .placement = {corner}};
+}
+
 }  // namespace hooke::hard

@@ -42,4 +42,8 @@ class Noise {
   std::mt19937 random_;
 };
 
+/// 27 particles, its lowest corner at a place [m]; light, and so stiff that it hardly gives way to its
+/// weight.
+Block soft_block(double edge, const Vec3& corner);
+
 }  // namespace hooke::hard

@@ -34,16 +34,7 @@ Scene sheets(Extent extent) {
 Scene blocks(Extent extent) {
   Scene scene;
   for (int i = 0; i < (extent == Extent::whole ? 10 : 3); ++i)
-    add(scene, Block{.nx = 3,
-                     .ny = 3,
-                     .nz = 3,
-                     .spacing = 0.5 * edge,
-                     .density = 300.0,
-                     .stretch = 300.0,
-                     .shear = 150.0,
-                     .body = 150.0,
-                     .damping = 0.05,
-                     .placement = {{0.0, thickness + i * (edge + 1.5 * thickness), 0.0}}});
+    add(scene, soft_block(edge, {0.0, thickness + i * (edge + 1.5 * thickness), 0.0}));
   scene.effects = {Gravity{}, Drag{2e-3},
                    Collider{.shape = PlaneShape{}, .thickness = 0.5 * thickness, .friction = friction},
                    SelfCollision{.thickness = thickness, .friction = friction}};

@@ -32,16 +32,7 @@ Laid lay(Extent extent, double speed) {
   for (int i = 0; i < (whole ? 3 : 1); ++i) {
     const double z = whole ? 0.12 * (i - 1) : 0.0;
     laid.blocks.push_back(
-        add(scene, Block{.nx = 3,
-                         .ny = 3,
-                         .nz = 3,
-                         .spacing = 0.5 * edge,
-                         .density = 300.0,
-                         .stretch = 300.0,
-                         .shear = 150.0,
-                         .body = 150.0,
-                         .damping = 0.05,
-                         .placement = {{-0.5 * edge, 1.5 * thickness + drop, z - 0.5 * edge}}}));
+        add(scene, soft_block(edge, {-0.5 * edge, 1.5 * thickness + drop, z - 0.5 * edge})));
   }
   FrameAttachment front;
   for (Index row = 0; row < side; ++row) front.particles.push_back(cloth.at(side - 1, row));
