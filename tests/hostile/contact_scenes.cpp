@@ -39,6 +39,24 @@ class Builder {
   explicit Builder(std::uint32_t seed) : chance_(seed), size_(chance_.magnitude(1e-3, 1e3)) {}
 
   ContactRun run() {
+    build();
+    return std::move(run_);
+  }
+
+  ContactRun joined_run() {
+    build();
+    run_.loses_energy = false;
+    std::vector<Effect>& effects = run_.scene.effects;
+    if (!run_.scene.triangles.empty() && chance_.with(0.6)) effects.emplace_back(self_collision());
+    if (chance_.with(0.3)) effects.emplace_back(grains());
+    if (chance_.with(0.4)) effects.emplace_back(tearing());
+    if (chance_.with(0.3)) effects.emplace_back(attachment());
+    if (chance_.with(0.2)) effects.emplace_back(seam());
+    return std::move(run_);
+  }
+
+ private:
+  void build() {
     const Index bodies = 1 + chance_.below(3);
     for (Index i = 0; i < bodies; ++i) add_body();
     run_.scene.effects.push_back(Gravity{chance_.between(0.0, 20.0) * size_ * chance_.direction()});
@@ -48,10 +66,8 @@ class Builder {
     bool stay = true;
     for (Index i = 0; i < colliders; ++i) stay = add_collider() && stay;
     choose_settings(stay && colliders == 1);
-    return std::move(run_);
   }
 
- private:
   /// Of springs between particles of this mass [kg], so that what is tiny swings as fast as what is huge.
   struct Strength {
     double stiffness, damping;
@@ -164,6 +180,53 @@ class Builder {
     return !moves;
   }
 
+  SelfCollision self_collision() {
+    return {.thickness = chance_.magnitude(1e-3, 0.03) * size_,
+            .friction = chance_.with(0.5) ? chance_.between(0.0, 1.0) : 0.0,
+            .swept = chance_.with(0.7),
+            .untangle = chance_.with(0.5)};
+  }
+
+  ParticleContact grains() {
+    const double mass = run_.scene.particles.mass[0];
+    const double frequency = chance_.magnitude(10.0, 200.0);  // [1/s]
+    return {.radius = {chance_.magnitude(0.01, 0.1) * size_},
+            .stiffness = frequency * frequency * mass,
+            .damping = chance_.between(0.0, 1.0) * frequency * mass,
+            .shear_stiffness = chance_.with(0.5) ? frequency * frequency * mass : 0.0,
+            .friction = chance_.between(0.0, 1.0)};
+  }
+
+  Tearing tearing() {
+    return {.strain = chance_.magnitude(0.01, 2.0),
+            .force = chance_.with(0.3) ? chance_.magnitude(0.01, 1e3) * size_ : 0.0};
+  }
+
+  /// Of some particles that are not pinned.
+  FrameAttachment attachment() {
+    FrameAttachment attachment{.origin = chance_.in_box(size_), .axis = chance_.direction()};
+    const Index last = Index(run_.scene.particles.size()) - 1;
+    for (Index i = 0; i < std::min<Index>(last, 3); ++i) attachment.particles.push_back(last - i);
+    std::erase_if(attachment.particles, [&](Index particle) {
+      return std::ranges::any_of(run_.scene.pins, [&](const Pin& pin) { return pin.particle == particle; });
+    });
+    if (attachment.particles.empty()) attachment.particles.push_back(last);
+    attachment.path = {{0.0, Vec3::Zero(), 0.0},
+                       {chance_.magnitude(0.05, 2.0), chance_.in_box(size_), chance_.between(-360.0, 360.0)}};
+    return attachment;
+  }
+
+  Stitch seam() {
+    const Index half = Index(run_.scene.particles.size()) / 2;
+    Stitch stitch{.closing_time = chance_.magnitude(0.05, 1.0)};
+    for (Index i = 1; i < std::min<Index>(half, 4); ++i) {
+      stitch.first.push_back(i);
+      stitch.second.push_back(half + i - 1);
+    }
+    if (stitch.first.empty()) stitch = {{0}, {1}, 0.5};
+    return stitch;
+  }
+
   void choose_settings(bool one_that_stays) {
     const std::vector<Method> methods{
         SymplecticEuler{}, Verlet{}, BackwardEuler{}, Bdf2{}, Xpbd{}, BackwardEuler{}, ProjectiveDynamics{}};
@@ -185,6 +248,10 @@ class Builder {
 
 ContactRun contact_run(std::uint32_t seed) {
   return Builder(seed).run();
+}
+
+ContactRun joined_contact_run(std::uint32_t seed) {
+  return Builder(seed).joined_run();
 }
 
 }  // namespace hooke::test

@@ -13,11 +13,14 @@ struct ContactRun {
   /// By backward Euler, damped, in steps that follow the springs, with one collider, that stays: see the
   /// limits in docs/contact.md.
   bool loses_energy = false;
-  ///< push from one into the other
 };
 
 /// Cloths, ropes and blocks among colliders of every kind, huge or tiny, overlapping at the start, moving
 /// fast. The same for the same seed.
 ContactRun contact_run(std::uint32_t seed);
+
+/// Likewise, with some of self-collision, untangling, grains, tearing, attachments and stitches among the
+/// same bodies.
+ContactRun joined_contact_run(std::uint32_t seed);
 
 }  // namespace hooke::test

@@ -110,7 +110,8 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   void correct(const StepResult<Real>& result, Executor& executor) override {
     update_pairs(result, executor);
     const bool is_tangled = is_anything_tangled(result, executor);
-    if (is_tangled || is_anything_near()) keep_apart(result, is_tangled, executor);
+    if (is_tangled || (is_anything_near() && may_touch(result, executor)))
+      keep_apart(result, is_tangled, executor);
     if (untangling_) count_crossings(result, executor);
   }
 
@@ -155,6 +156,17 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// Whether a pair may touch in this step.
   bool is_anything_near() const {
     return nearest_ - moved_ <= NarrowPhase::active_distance(collision_.thickness);
+  }
+
+  /// Whether any pair touches or passes: where there are few, only their particles are looked at.
+  bool may_touch(const StepResult<Real>& result, Executor& executor) {
+    if (4 * pairs_->size() > surface_.corners.size()) return true;
+    for (const ClosePair& pair : *pairs_) {
+      for (const Index i : pair.particles) load(result, i);
+    }
+    let_all_go(result);
+    const bool touches = !narrow_phase_.contacts_of(*pairs_, step_of(result, executor), executor).empty();
+    return touches || narrow_phase_.passed();
   }
 
   /// Whether anything crosses at the start of the step.
@@ -268,15 +280,19 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   void load(const StepResult<Real>& result, Executor& executor) {
-    for_each_corner(executor, [&](Index i) {
-      start_[i] = result.start.position(i).template cast<double>();
-      end_[i] = result.next.position(i).template cast<double>();
-      velocity_[i] = result.next.velocity(i).template cast<double>();
-    });
+    for_each_corner(executor, [&](Index i) { load(result, i); });
+  }
+
+  void load(const StepResult<Real>& result, Index i) {
+    start_[i] = result.start.position(i).template cast<double>();
+    end_[i] = result.next.position(i).template cast<double>();
+    velocity_[i] = result.next.velocity(i).template cast<double>();
   }
 
   /// At the start of a step nothing is known to be pinched.
   void let_all_go(const StepResult<Real>& result) {
+    if (!holds_any_ && scripted_.empty()) return;
+    holds_any_ = false;
     for (const Index i : surface_.corners) {
       inverse_mass_[i] = free_mass_[i];
       is_pinched_[i] = 0;
@@ -406,6 +422,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   bool is_deep(const ObstacleSurface& surface) const { return surface.gap < -0.01 * collision_.thickness; }
 
   void hold(Index pinched) {
+    holds_any_ = true;
     inverse_mass_[pinched] = 0.0;
     is_pinched_[pinched] = 1;
   }
@@ -502,7 +519,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   std::size_t left_ = 0, crossings_ = 0;
   const std::vector<ClosePair> no_pairs_;
   const std::vector<ClosePair>* pairs_ = &no_pairs_;
-  bool pairs_hold_ = false, pushed_far_ = false;
+  bool pairs_hold_ = false, pushed_far_ = false, holds_any_ = false;
   bool is_crowd_ = true;  ///< whether much lay on one another when pairs were found last
   double moved_ = 0.0, nearest_ = 0.0;
   Report met_with_;  ///< since it was told last
