@@ -148,20 +148,20 @@ TEST_CASE("untangling: cloth that crosses nothing has the same bits with and wit
   add_shaped_sheet(without, 8, 8, [](double u, double v) { return Vec3(0.1 * u, 0.03 + 0.01 * u, 0.1 * v); });
   for (Index i = 0; i < 144; ++i) without.pin(i);
   untangle(without);
-  auto& collision = std::get<SelfCollision>(without.effects.back());
-  collision.friction = 0.3;
   without.effects.push_back(Gravity{});
+  auto& collision = std::get<SelfCollision>(without.effects.front());
+  collision.friction = 0.3;
   for (const bool swept : {true, false}) {
     collision.swept = swept;
     Scene with = without;
-    std::get<SelfCollision>(without.effects.front()).untangle = false;
+    collision.untangle = false;
     Simulation<float> a(without, {.method = BackwardEuler{}, .step = 2e-3}),
         b(with, {.method = BackwardEuler{}, .step = 2e-3});
     for (auto* simulation : {&a, &b}) REQUIRE(simulation->step(80).flags == flag_none);
     CHECK(a.state_hash() == b.state_hash());
     CHECK(position(a, 150).y() > 0.0);  // it has come to lie on the other
     CHECK(position(a, 150).y() < 0.02);
-    std::get<SelfCollision>(without.effects.front()).untangle = true;
+    collision.untangle = true;
   }
 }
 
