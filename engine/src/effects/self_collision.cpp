@@ -233,8 +233,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     margin_ = is_crowd_ ? margins_.narrow : margins_.wide;
     look(result, 0.0, executor);
     pairs_hold_ = moved_ <= margin_;
-    const double ahead = std::min(most_ahead, share_ahead * margin_ / moved_ - 1.0);
-    if (pairs_hold_ && !is_crowd_ && ahead > least_ahead) look(result, ahead, executor);
+    if (pairs_hold_ && !is_crowd_) look_ahead(result, executor);
     // What is fast is looked at along its way in this step alone.
     if (!pairs_hold_)
       moved_ = std::min(moved_, rounding * bound_.between(result.start, result.next, executor));
@@ -247,6 +246,16 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     }
     for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
     is_crowd_ = double(pairs_->size()) > crowd * double(surface_.corners.size());
+  }
+
+  /// Unless that leads too far from where they are: what is far moves more, and others are near each other
+  /// there.
+  void look_ahead(const StepResult<Real>& result, Executor& executor) {
+    const double motion = rounding * bound_.since(result.start, result.next, margin_, executor);
+    const double ahead = std::min(most_ahead, share_ahead * margin_ / motion - 1.0);
+    if (!(ahead > least_ahead)) return;
+    look(result, ahead, executor);
+    if (!(moved_ <= margin_)) look(result, 0.0, executor);
   }
 
   /// At where particles are going to be after so many more steps like this one.
@@ -310,9 +319,11 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     });
   }
 
-  /// What has been moved, as a step whose pairs are looked at again.
+  /// What has been moved, as a step whose pairs are looked at again. Read back as it is stored, whether pairs
+  /// are found anew or not: when they are may change no bits.
   void begin_round(const StepResult<Real>& result, Executor& executor) {
     store(result, executor);
+    load(result, executor);
     update_pairs(result, executor);
   }
 
