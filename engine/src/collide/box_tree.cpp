@@ -11,11 +11,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace hooke {
 namespace HWY_NAMESPACE {
-namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-}  // namespace
 
 std::uint32_t meeting_boxes(const BoxGroup& group, const BoxGroup& other, std::size_t box) {
   const hn::CappedTag<float, BoxGroup::size> d;
@@ -75,10 +72,12 @@ std::uint32_t BoxGroup::meeting(const BoxGroup& other, std::size_t box) const {
   return HWY_DYNAMIC_DISPATCH(meeting_boxes)(*this, other, box);
 }
 
-BoxFrame::BoxFrame(const AxisBox& around_all) {
-  if (!(around_all.low.array() <= around_all.high.array()).all()) return;
-  origin = around_all.low;
-  rounding = (around_all.high - around_all.low).maxCoeff() * double(std::numeric_limits<float>::epsilon());
+BoxFrame::BoxFrame(const std::vector<AxisBox>& boxes) {
+  if (boxes.empty()) return;
+  AxisBox all;
+  for (const AxisBox& box : boxes) all.widen(box);
+  origin = all.low;
+  rounding = (all.high - all.low).maxCoeff() * double(std::numeric_limits<float>::epsilon());
 }
 
 void BoxTree::build(const std::vector<AxisBox>& boxes, const BoxFrame& frame, Executor& executor) {
@@ -114,13 +113,13 @@ void BoxTree::fill(const std::vector<AxisBox>& boxes, const BoxFrame& frame, Exe
   levels_[0].resize(groups());
   executor.parallel_for(groups(), groups_at_once, [&](std::size_t begin, std::size_t end) {
     for (std::size_t g = begin; g < end; ++g) {
-      const std::size_t first = g * BoxGroup::size, last = std::min(first + BoxGroup::size, order_.size());
-      for (std::size_t n = first; n < last; ++n) {
-        const AxisBox& box = boxes[order_[n]];
+      const std::span<const Index> own = group(g);
+      for (std::size_t n = 0; n < own.size(); ++n) {
+        const AxisBox& box = boxes[own[n]];
         for (std::size_t k = 0; k < 3; ++k) {
           const auto axis = Eigen::Index(k);
-          levels_[0][g].low[k][n - first] = float(box.low[axis] - frame.origin[axis] - frame.rounding);
-          levels_[0][g].high[k][n - first] = float(box.high[axis] - frame.origin[axis] + frame.rounding);
+          levels_[0][g].low[k][n] = float(box.low[axis] - frame.origin[axis] - frame.rounding);
+          levels_[0][g].high[k][n] = float(box.high[axis] - frame.origin[axis] + frame.rounding);
         }
       }
     }

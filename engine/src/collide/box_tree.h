@@ -32,7 +32,8 @@ struct BoxFrame {
   Vec3 origin = Vec3::Zero();
   double rounding = 0.0;
 
-  explicit BoxFrame(const AxisBox& around_all);
+  /// That has room for all of these, and what lies among them.
+  explicit BoxFrame(const std::vector<AxisBox>& boxes);
 };
 
 /// Boxes in groups of 32 that are near each other, these in groups of 32, and so on: what meets a box is

@@ -65,9 +65,7 @@ void ClosePairs::make_boxes(Executor& executor) {
   for_each(edge_boxes_.size(), [&](std::size_t e) {
     edge_boxes_[e] = box_around(std::array{surface_.edges[e].first, surface_.edges[e].second});
   });
-  AxisBox all;
-  for (const AxisBox& box : corner_boxes_) all.widen(box);
-  const BoxFrame frame(all);
+  const BoxFrame frame(corner_boxes_);
   corners_.build(corner_boxes_, frame, executor);
   triangles_.build(triangle_boxes_, frame, executor);
   edges_.build(edge_boxes_, frame, executor);

@@ -60,9 +60,7 @@ void GrainPairs<Real>::find_anew(const State<Real>& state, Executor& executor) {
       boxes_[g].widen(state.position(grains_[g].place).template cast<double>());
       boxes_[g].grow(grains_[g].radius + 0.5 * margin_);
     }
-    AxisBox all;
-    for (const AxisBox& box : boxes_) all.widen(box);
-    tree_.build(boxes_, BoxFrame(all), executor);
+    tree_.build(boxes_, BoxFrame(boxes_), executor);
     runs_.resize(tree_.groups());
     executor.parallel_for(runs_.size(), groups_at_once, [&](std::size_t begin, std::size_t end) {
       for (std::size_t g = begin; g < end; ++g) {
