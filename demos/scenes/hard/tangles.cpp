@@ -58,56 +58,50 @@ SheetShape level_sheet(double size) {
   };
 }
 
-Scene closed_tangle() {
+namespace {
+
+/// A level sheet and another one, at rest as they lie, that crosses it.
+Scene across_level_sheet(Index columns, Index rows, double size, Index other_columns, Index other_rows,
+                         const SheetShape& other) {
   Scene scene;
-  add_shaped_sheet(scene, 24, 24, level_sheet(0.36));
-  add_shaped_sheet(scene, 24, 24, [](double u, double v) {
-    return Vec3(0.36 * u, 0.06 - 0.12 * bell(6.0 * (u * u + v * v)), 0.36 * v);
-  });
+  add_shaped_sheet(scene, columns, rows, level_sheet(size));
+  add_shaped_sheet(scene, other_columns, other_rows, other);
   untangle(scene);
   return scene;
 }
 
+}  // namespace
+
+Scene closed_tangle() {
+  return across_level_sheet(24, 24, 0.36, 24, 24, [](double u, double v) {
+    return Vec3(0.36 * u, 0.06 - 0.12 * bell(6.0 * (u * u + v * v)), 0.36 * v);
+  });
+}
+
 Scene eight_tangle() {
-  Scene scene;
-  add_shaped_sheet(scene, 32, 24, level_sheet(0.36));
-  add_shaped_sheet(scene, 32, 24, [](double u, double v) {
+  return across_level_sheet(32, 24, 0.36, 32, 24, [](double u, double v) {
     const double a = u - 0.36, b = u + 0.36;
     return Vec3(0.46 * u, 0.05 - 0.09 * (bell(9.0 * (a * a + v * v)) + bell(9.0 * (b * b + v * v))),
                 0.36 * v);
   });
-  untangle(scene);
-  return scene;
 }
 
 Scene bbii_tangle() {
-  Scene scene;
-  add_shaped_sheet(scene, 24, 24, level_sheet(0.36));
-  add_shaped_sheet(scene, 10, 16, [](double u, double v) {
+  return across_level_sheet(24, 24, 0.36, 10, 16, [](double u, double v) {
     return Vec3(0.135 * u + 0.01 * v, 0.225 * v + 0.13, 0.02 * u + 0.017);
   });
-  untangle(scene);
-  return scene;
 }
 
 Scene bibi_tangle() {
-  Scene scene;
-  add_shaped_sheet(scene, 20, 20, level_sheet(0.3));
-  add_shaped_sheet(scene, 20, 20, [](double u, double v) {
+  return across_level_sheet(20, 20, 0.3, 20, 20, [](double u, double v) {
     return Vec3(0.3 * u + 0.45, 0.29 * v + 0.02 * u + 0.01, 0.02 * v + 0.017 + 0.03 * u);
   });
-  untangle(scene);
-  return scene;
 }
 
 Scene cross_tangle() {
-  Scene scene;
-  add_shaped_sheet(scene, 20, 20, level_sheet(0.3));
-  add_shaped_sheet(scene, 14, 20, [](double u, double v) {
+  return across_level_sheet(20, 20, 0.3, 14, 20, [](double u, double v) {
     return Vec3(0.2 * u + 0.02 * v, 0.29 * v + 0.11, 0.03 * u + 0.017);
   });
-  untangle(scene);
-  return scene;
 }
 
 Scene ll_tangle() {
