@@ -21,11 +21,19 @@ namespace hooke {
 ///
 /// It is particles that are kept out: between those of a cloth an edge or a corner of a solid may come
 /// through, which a thickness hides.
+///
+/// With a stiffness it is a penalty instead, a one-sided spring and damper: with d the depth below the
+/// thickness, n the normal, u and w the normal and tangential velocity against the solid,
+///   F_n = max(0, k d - c u),  F_t = -min(c |w|, mu F_n) w / |w|,
+/// which does not stop what is fast, and lets creep what should stick, but is a force: methods that solve
+/// equations solve for it, and steps are divided for its stiffness.
 struct Collider {
   ColliderShape shape = PlaneShape{};
   double thickness = 0.0;    ///< [m], >= 0
   double friction = 0.0;     ///< mu [1], >= 0
-  double restitution = 0.0;  ///< e [1], from 0 to 1
+  double restitution = 0.0;  ///< e [1], from 0 to 1; 0 with a stiffness
+  double stiffness = 0.0;    ///< k [N/m] for each particle, >= 0; 0: particles are put back on the surface
+  double damping = 0.0;      ///< c [N s/m] for each particle, >= 0; 0 without a stiffness
   Vec3 axis{0.0, 1.0, 0.0};  ///< that its path turns about; any length but zero
   /// Straight lines and even turns between; held before and after. Without one it stays, until the host moves
   /// it: see Simulation::move_frame().
@@ -38,6 +46,8 @@ struct Collider {
     visit("thickness", self.thickness);
     visit("friction", self.friction);
     visit("restitution", self.restitution);
+    visit("stiffness", self.stiffness);
+    visit("damping", self.damping);
     visit("axis", self.axis);
     visit("path", self.path);
   }
@@ -164,6 +174,25 @@ struct Tearing {
     visit("strain", self.strain);
     visit("force", self.force);
     visit("springs", self.springs);
+  }
+};
+
+/// What has come to rest is not simulated until something changes for it. An island is what springs,
+/// triangles, stitches, tethers and closed surfaces join; it sleeps when each of its particles has been
+/// slower than `speed` for `time`, and so have all islands that it touches. Its velocities are zero then, and
+/// that is all that changes: m v^2 / 2 a particle is lost. It wakes, as it is, when it is touched by what is
+/// awake, or by a solid that moves, when a path, a frame or an effect that changes with time gets to work on
+/// it, and when the host pushes, moves or wakes it (Simulation::wake). While a custom effect is named nothing
+/// sleeps.
+struct Sleep {
+  double speed = 1e-3;  ///< [m/s], > 0
+  double time = 0.5;    ///< [s], >= 0
+
+  static constexpr std::string_view name = "sleep";
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("speed", self.speed);
+    visit("time", self.time);
   }
 };
 

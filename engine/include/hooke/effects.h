@@ -366,6 +366,6 @@ struct CustomEffect {
 using Effect = std::variant<Gravity, Drag, Field, ParticleWind, Wind, ForceScript, GroundPlane, HingeBending,
                             LaplacianBending, TensileTriangles, Cables, StiffeningSprings, Plasticity,
                             Pressure, Volume, CustomEffect, StrainLimit, Tethers, MotionScript, Collider,
-                            FrameAttachment, Stitch, SelfCollision, ParticleContact, Tearing>;
+                            FrameAttachment, Stitch, SelfCollision, ParticleContact, Tearing, Sleep>;
 
 }  // namespace hooke

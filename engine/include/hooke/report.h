@@ -65,9 +65,10 @@ struct Report {
   std::uint64_t contacts_left = 0;
   std::uint64_t impact_zone_particles = 0;  ///< the most that self-collision moved as one piece in a step
   std::uint64_t crossings = 0;  ///< of an edge and a triangle, after the last step, where they are untangled
-  std::uint64_t particles_split = 0;  ///< by tearing; so many are there more than before
-  std::uint64_t steps_undone = 0;     ///< steps before this call that were taken back with the good state
-  std::span<const SweepTime> sweeps;  ///< time of each sweep; valid until the next call on the simulation
+  std::uint64_t particles_split = 0;   ///< by tearing; so many are there more than before
+  std::uint64_t particles_asleep = 0;  ///< after the last step, of a scene that names Sleep
+  std::uint64_t steps_undone = 0;      ///< steps before this call that were taken back with the good state
+  std::span<const SweepTime> sweeps;   ///< time of each sweep; valid until the next call on the simulation
 
   bool ok() const { return (flags & (flag_not_finite | flag_step_too_small | flag_restored)) == 0; }
 

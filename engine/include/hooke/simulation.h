@@ -133,6 +133,9 @@ struct Snapshot {
   std::shared_ptr<const Scene> torn;
   std::vector<Index> torn_from;          ///< Simulation::origin() of each particle that tearing has added
   std::vector<RelaxingSpring> relaxing;  ///< in ascending order
+  /// Of a scene that names Sleep, for each island in the order of their lowest particles: the steps in a row
+  /// in which it was at rest; the largest number where it sleeps. Empty: all have just woken.
+  std::vector<std::uint32_t> resting;
   /// Of the frames that the host may move, in the order of their effects; empty where it never moved one. A
   /// pose that was given for the next step is not in it.
   std::vector<RigidPose> frames;
@@ -224,6 +227,12 @@ class Simulation {
   /// unit length, or what it would lead to is not finite; then nothing changes.
   void teleport(const RigidPose& transform);
   void teleport(std::span<const Index> particles, const RigidPose& transform);
+
+  /// Whether the island of a particle sleeps, in a scene that names Sleep. Throws std::out_of_range where
+  /// there is no such particle.
+  bool is_asleep(Index particle) const;
+  /// Wakes the island of a particle, which starts to count its time at rest anew. Throws like is_asleep().
+  void wake(Index particle);
 
   Snapshot<Real> snapshot() const;
   /// Throws std::invalid_argument, and changes nothing, if the snapshot is of another number of particles, of

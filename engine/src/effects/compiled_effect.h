@@ -11,6 +11,7 @@
 
 #include "force_derivative.h"
 #include "model/model.h"
+#include "sleep/disturbances.h"
 #include "strip.h"
 #include "substep.h"
 
@@ -72,6 +73,11 @@ class CompiledEffect {
 
   /// Whether it calls a function of the user's.
   virtual bool calls_user() const { return false; }
+
+  /// Tells who cannot be at rest from one time [s] to another, as what it does to them changes meanwhile.
+  virtual void disturb(double /*from*/, double /*to*/, Disturbances& disturbed) const {
+    if (calls_user()) disturbed.all();
+  }
 
   /// Changes the result of a step in place, for the blocks [begin, end) and looking at these alone.
   virtual void correct_strip(const StepResult<Real>&, std::size_t /*begin*/, std::size_t /*end*/) const {}

@@ -59,6 +59,8 @@ template <class Real>
 EffectPointer<Real> compile_effect(const ParticleContact&, const EffectContext<Real>&);
 template <class Real>
 EffectPointer<Real> compile_effect(const Tearing&, const EffectContext<Real>&);
+template <class Real>
+EffectPointer<Real> compile_effect(const Sleep&, const EffectContext<Real>&);
 
 /// Faults of its values, or of the scene for its purposes. Of the scene nothing has been checked yet.
 void check_effect(const Gravity&, const Scene&, const ElementChecks&);
@@ -86,6 +88,7 @@ void check_effect(const Stitch&, const Scene&, const ElementChecks&);
 void check_effect(const SelfCollision&, const Scene&, const ElementChecks&);
 void check_effect(const ParticleContact&, const Scene&, const ElementChecks&);
 void check_effect(const Tearing&, const Scene&, const ElementChecks&);
+void check_effect(const Sleep&, const Scene&, const ElementChecks&);
 
 /// Adds how stiffly it holds particles, of a scene without faults.
 void add_bounds(const Gravity&, const Scene&, HeldParticles&);
@@ -113,6 +116,7 @@ void add_bounds(const Stitch&, const Scene&, HeldParticles&);
 void add_bounds(const SelfCollision&, const Scene&, HeldParticles&);
 void add_bounds(const ParticleContact&, const Scene&, HeldParticles&);
 void add_bounds(const Tearing&, const Scene&, HeldParticles&);
+void add_bounds(const Sleep&, const Scene&, HeldParticles&);
 
 /// Whether it can do work without having an energy that the simulation knows: then nobody can say how much
 /// energy there should be.
