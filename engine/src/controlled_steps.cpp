@@ -38,8 +38,7 @@ auto ControlledSteps<Real>::attempt(const PlanRun<Real>& run, const StepTimes& t
   attempt.bad = take_steps(run, times, taken, 1, states);
   if (attempt.bad != Report::none) return attempt;
   evaluate_at(states.after(taken + 1), runge_kutta_.stages());
-  attempt.error =
-      error_norm(allowed_, times.h(), model_.particles(), runge_kutta_.accelerations(), executor_, sums_);
+  attempt.error = error_norm(allowed_, times.h(), model_, runge_kutta_.accelerations(), executor_, sums_);
   return attempt;
 }
 

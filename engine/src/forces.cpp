@@ -22,7 +22,8 @@ std::string percent(double share) {
 
 template <class Real>
 Forces<Real>::Forces(const Scene& scene, const Model<Real>& model)
-    : springs_(model.linear_springs),
+    : model_(model),
+      springs_(model.linear_springs),
       slots_(slots_of(model)),
       batches_(std::get_if<SpringBatches<Real>>(&model.spring_layout)),
       sums_(batches_ != nullptr ? model.particles() : 0, batches_ != nullptr && slots_->any_indexed()),
@@ -45,8 +46,8 @@ void Forces<Real>::scatter(const State<Real>& state, Executor& executor) {
     const std::size_t count = batches_->colour_begin[colour + 1] - batches_->colour_begin[colour];
     executor.parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b) {
-        scatter_springs(*slots_, state, batches_->begin(batches[b]), batches_->end(batches[b]), shared,
-                        sums_);
+        const std::size_t first = batches_->begin(batches[b]), last = batches_->end(batches[b]);
+        if (model_.awake.any(first, last)) scatter_springs(*slots_, state, first, last, shared, sums_);
       }
     });
   }

@@ -61,6 +61,7 @@ class Forces {
   Stage spring_stage() const;  ///< the springs, of which there must be some
   void scatter(const State<Real>& state, Executor& executor);
 
+  const Model<Real>& model_;
   std::size_t springs_ = 0;                       ///< in the slots
   const Slots<Real>* slots_ = nullptr;            ///< null where there are no springs but cables
   const SpringBatches<Real>* batches_ = nullptr;  ///< of the modes that scatter, else null

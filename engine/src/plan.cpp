@@ -55,14 +55,18 @@ Sweep<Real> particle_sweep(const Method& method, const Model<Real>& model, Force
   if (!model.moving_pins.empty()) stages.push_back(pin_stage(model));
   const bool corrects = forces.effects().corrects_strips();
   const bool holds = !model.held_between(0, model.particles()).empty() && scheme.stages() > 1;
-  const auto run = [&model, &forces, &scheme, corrects, holds](const Substep<Real>& substep,
-                                                               std::size_t begin, std::size_t end) {
+  const auto run_awake = [&model, &forces, &scheme, corrects, holds](const Substep<Real>& substep,
+                                                                     std::size_t begin, std::size_t end) {
     scheme.run_blocks(substep, model, forces, begin, end);
     const auto pins = pins_between(model.moving_pins, begin * block_size, end * block_size);
     move_pins(pins, substep.time_after, substep.next);
     if (holds && substep.stage + 1 < scheme.stages()) scheme.hold_blocks(substep, model, begin, end);
     if (corrects && substep.stage + 1 == scheme.stages())
       forces.effects().correct_strips(result_of(substep, scheme.last_kick()), begin, end);
+  };
+  const auto run = [&model, run_awake](const Substep<Real>& substep, std::size_t begin, std::size_t end) {
+    model.for_each_awake_run(begin, end,
+                             [&](std::size_t first, std::size_t last) { run_awake(substep, first, last); });
   };
   return {"particles", std::move(stages), {}, run};
 }

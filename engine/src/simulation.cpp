@@ -200,6 +200,7 @@ template <class Real>
 void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
   require_particle("apply_impulse", particle, particle_count());
   Parts& p = *parts_;
+  p.wake(particle);
   const Index e = p.model.order.engine(particle);
   const State<Real>& whole = p.whole_state();
   const Vec3 change = impulse * double(p.model.inverse_mass[e]);

@@ -73,6 +73,9 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given, const StepBou
   plan.shown.state_bytes = states.bytes() + whole.bytes() + (watch ? watch->bytes() : 0);
   for (const State<Real>& state : between) plan.shown.state_bytes += state.bytes();
   for (const Sweep<Real>& sweep : plan.sweeps) times.push_back({sweep.name, 0.0});
+  for (const Effect& effect : scene.effects) {
+    if (const auto* sleep = std::get_if<Sleep>(&effect)) begin_sleep(*sleep);
+  }
 }
 
 template <class Real>
@@ -217,6 +220,15 @@ void Simulation<Real>::Parts::begin_report() {
 
 template <class Real>
 void Simulation<Real>::Parts::take_steps(std::uint64_t count, Report& report) {
+  if (sleepers) {
+    take_sleeping_steps(count, report);
+  } else {
+    take_awake_steps(count, report);
+  }
+}
+
+template <class Real>
+void Simulation<Real>::Parts::take_awake_steps(std::uint64_t count, Report& report) {
   if (controlled) {
     take_controlled_steps(count, report);
   } else if (solved) {
@@ -231,6 +243,7 @@ void Simulation<Real>::Parts::end_report(Report& report) {
   if ((report.flags & flag_restored) == 0) report.step = steps + (report.ok() ? 0 : 1);
   report.time = states.now().time;
   report.sweeps = times;
+  if (sleepers) report.particles_asleep = sleepers->particles_asleep();
   forces.effects().tell(report);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "model/model.h"
 #include "parallel/tile_workers.h"
 #include "plan.h"
+#include "sleep/sleepers.h"
 #include "solve/solved_steps.h"
 #include "stability/energy_watch.h"
 #include "stability/stability_report.h"
@@ -42,10 +44,12 @@ struct Simulation<Real>::Parts {
   std::optional<ControlledSteps<Real>> controlled;  ///< of a method with error control
   std::optional<EnergyWatch<Real>> watch;           ///< of a run whose energy is watched
   std::optional<Tears<Real>> tears;                 ///< of a scene that may tear
+  std::optional<Sleepers<Real>> sleepers;           ///< of a scene of which parts may sleep
   Clock clock;
   std::uint64_t steps = 0;
   double time_at_step_0 = 0.0;  ///< [s] not zero after a snapshot from steps of another length
   std::vector<SweepTime> times;
+  std::uint64_t islands_seen = 0;  ///< that the parts have followed
   std::optional<Report>
       stopped;  ///< of the trouble that stopped the run, until the state is set from outside
 
@@ -67,6 +71,15 @@ struct Simulation<Real>::Parts {
   /// New ones for the scene of a snapshot, at its start; null where it is the one that these are of. Throws
   /// std::invalid_argument where this scene cannot have torn to that one.
   std::unique_ptr<Parts> for_scene_of(const Snapshot<Real>& snapshot) const;
+
+  /// The scene is one of which parts may sleep.
+  void begin_sleep(const Sleep& sleep);
+
+  /// After any of them fell asleep or woke.
+  void follow_sleepers();
+
+  /// Wakes the island of a particle of the user's.
+  void wake(Index particle);
 
   Snapshot<Real> snapshot();
   void restore(const Snapshot<Real>& snapshot);
@@ -90,6 +103,14 @@ struct Simulation<Real>::Parts {
   void begin_report();
   void take_steps(std::uint64_t count, Report& report);
   void end_report(Report& report);
+
+  /// Likewise of what is awake: simulation_sleep.cpp.
+  void take_sleeping_steps(std::uint64_t count, Report& report);
+  void take_awake_steps(std::uint64_t count, Report& report);
+  void rest_until(double time);
+
+  /// Of a sweep of the plan, or of what is done between steps.
+  SweepTime& time_of(std::string_view sweep) { return *std::ranges::find(times, sweep, &SweepTime::sweep); }
 
   /// Tears what is strained too much in the newest state.
   static void tear(std::unique_ptr<Parts>& parts, Report& report);

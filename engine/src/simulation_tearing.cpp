@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "model/precision.h"
+#include "report_of_steps.h"
 #include "simulation_parts.h"
 #include "stability/step_division.h"
 #include "tearing/carried_memory.h"
@@ -13,26 +14,6 @@ namespace hooke {
 namespace {
 
 constexpr std::string_view sweep_name = "tearing";
-
-/// Adds what a step did to the report of the steps before it in the same call.
-void add(const Report& step, Report& report) {
-  const std::uint64_t back = std::min(report.steps_taken, step.steps_undone);
-  report.steps_taken += step.steps_taken - back;
-  report.steps_undone += step.steps_undone - back;
-  report.force_evaluations += step.force_evaluations;
-  report.rejected_steps += step.rejected_steps;
-  report.solver_iterations += step.solver_iterations;
-  report.linear_iterations += step.linear_iterations;
-  report.residual = std::max(report.residual, step.residual);
-  report.flags |= step.flags;
-  constexpr std::uint32_t trouble = flag_not_finite | flag_step_too_small | flag_energy_grew | flag_restored;
-  if ((step.flags & trouble) == 0) return;
-  report.step = step.step;
-  report.first_bad_particle = step.first_bad_particle;
-  report.strained_spring = step.strained_spring;
-  report.kinetic_energy = step.kinetic_energy;
-  report.energy_put_in = step.energy_put_in;
-}
 
 /// Vectors of particles, with those of new ones behind them.
 template <class Real>
@@ -91,11 +72,11 @@ Report Simulation<Real>::Parts::take_tearing_steps(std::unique_ptr<Parts>& parts
   while (report.steps_taken < count && report.ok()) {
     Report step;
     parts->take_steps(1, step);
-    add(step, report);
+    add_step(step, report);
     if (!step.ok()) break;
     const WallClock::time_point start = WallClock::now();
     tear(parts, report);
-    parts->times.back().seconds += std::chrono::duration<double>(WallClock::now() - start).count();
+    parts->time_of(sweep_name).seconds += std::chrono::duration<double>(WallClock::now() - start).count();
   }
   parts->end_report(report);
   return report;

@@ -89,6 +89,8 @@ void Simulation<Real>::Parts::name_most_energetic(Report& report) {
 template <class Real>
 void Simulation<Real>::Parts::go_back() {
   if (!watch) return;
+  if (sleepers) sleepers->wake_all();
+  follow_sleepers();
   states.now() = watch->good_state();
   states.drop();
   whole.forget();

@@ -113,6 +113,13 @@ void check_frames(const std::vector<RigidPose>& poses, const Frames* frames) {
   for (const RigidPose& pose : poses) require_pose("snapshot", pose);
 }
 
+void check_resting(const std::vector<std::uint32_t>& resting, const Islands* islands) {
+  const std::size_t expected = islands == nullptr ? 0 : islands->size();
+  require(resting.empty() || resting.size() == expected,
+          "there are steps at rest for " + std::to_string(resting.size()) +
+              " islands; the simulation needs them for " + std::to_string(expected) + ", or for none");
+}
+
 /// Puts frames where a snapshot has them; where it has none, where the scene has them.
 template <class Real>
 void restore_frames(const std::vector<RigidPose>& poses, Frames* frames, EffectList<Real>& effects) {
@@ -161,6 +168,7 @@ Snapshot<Real> Simulation<Real>::Parts::snapshot() {
     snapshot.torn_from = p.tears->torn_from;
     snapshot.relaxing = p.tears->springs.relaxing();
   }
+  if (p.sleepers) snapshot.resting = p.sleepers->resting();
   return snapshot;
 }
 
@@ -174,6 +182,7 @@ void Simulation<Real>::Parts::restore(const Snapshot<Real>& snapshot) {
   check_effects(snapshot.effects, p.states.now().memory.size());
   check_pairs(snapshot.pairs, p.states.now().pairs.size(), p.model.particles());
   check_frames(snapshot.frames, p.model.frames.get());
+  check_resting(snapshot.resting, p.model.islands.get());
   p.clock.set_remainder(snapshot.remainder);
   p.set_substeps(substeps_of(p.stability.bounds, p.settings));
   if (may_halve(p.settings)) p.set_substeps(std::max(p.substeps, snapshot.method.substeps));
@@ -203,6 +212,8 @@ void Simulation<Real>::Parts::restore(const Snapshot<Real>& snapshot) {
   p.steps = snapshot.step;
   p.time_at_step_0 = snapshot.time - double(snapshot.step) * p.settings.step;
   if (p.tears) p.tears->springs.relax(snapshot.relaxing);
+  if (p.sleepers) p.sleepers->restore(snapshot.resting, p.states);
+  p.follow_sleepers();
   p.begin_watch();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,9 @@ class StateRing {
 
   /// Drops what was computed after the newest state, which becomes the one before too.
   void drop() { before_ = now_; }
+
+  /// The newest among them.
+  std::span<State<Real>> all() { return states_; }
 
   std::size_t bytes() const { return states_.size() * states_.front().bytes(); }
 

@@ -23,6 +23,7 @@ template <class Real>
 struct Solid {
   const RigidMotion* motion;
   LocalShape<Real> shape;
+  Vec3 half;     ///< of the extent along its own axes, without thickness [m]
   double reach;  ///< [m] from its origin, thickness included, however it is turned
   Real thickness, friction, restitution;
 };
@@ -83,6 +84,11 @@ class Colliders final : public CompiledEffect<Real> {
     }
   }
 
+  void disturb(double from, double to, Disturbances& disturbed) const override {
+    for (const Solid<Real>& solid : moving_)
+      disturb_near(solid, solid.motion->at(from), solid.motion->at(to), disturbed);
+  }
+
   Stage stage() const override {
     std::size_t bytes = free_.capacity() * sizeof(std::uint16_t) + bounds_.bytes() +
                         contacts_.capacity() * sizeof(Contact<Real>);
@@ -107,6 +113,7 @@ class Colliders final : public CompiledEffect<Real> {
   void add(const Collider& collider, const RigidMotion* motion) {
     Solid<Real> solid{motion,
                       local_shape<Real>(collider.shape, collider.thickness, blocks_),
+                      half_extent_of(collider.shape),
                       radius_of(collider.shape) + collider.thickness,
                       Real(collider.thickness),
                       Real(collider.friction),
@@ -115,19 +122,18 @@ class Colliders final : public CompiledEffect<Real> {
       moving_.push_back(std::move(solid));
       return;
     }
-    bounds_.add(around(collider, solid));
+    bounds_.add(around(solid));
     contacts_.push_back(contact_of(solid, 0.0, 0.0, 1.0));
     still_.push_back(std::move(solid));
   }
 
   /// Of one that does not move.
-  static Bounds<Real> around(const Collider& collider, const Solid<Real>& solid) {
+  static Bounds<Real> around(const Solid<Real>& solid) {
     constexpr Real infinite = std::numeric_limits<Real>::infinity();
-    if (std::holds_alternative<PlaneShape>(collider.shape))
+    if (std::holds_alternative<LocalPlane<Real>>(solid.shape))
       return {{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
     const Vec3 origin = solid.motion->origin(0.0);
-    const Vec3 half = solid.motion->rotation(0.0).cwiseAbs() * half_extent_of(collider.shape) +
-                      Vec3::Constant(collider.thickness);
+    const Vec3 half = extent(solid, solid.motion->rotation(0.0));
     Bounds<Real> bounds;
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double slack = rounding<Real> * (std::abs(origin[k]) + half[k]);
@@ -177,6 +183,21 @@ class Colliders final : public CompiledEffect<Real> {
       if (std::max(from[k], to[k]) + solid.reach < double(box.low[k])) return false;
     }
     return true;
+  }
+
+  /// What is where a solid goes, if it does.
+  static void disturb_near(const Solid<Real>& solid, const FramePlace& from, const FramePlace& to,
+                           Disturbances& disturbed) {
+    const bool turns = from.rotation != to.rotation;
+    if (!turns && from.origin == to.origin) return;
+    const Vec3 reach = Vec3::Constant(solid.reach);
+    const Vec3 half = turns || !std::isfinite(solid.reach) ? reach : extent(solid, from.rotation);
+    disturbed.box(from.origin.cwiseMin(to.origin) - half, from.origin.cwiseMax(to.origin) + half);
+  }
+
+  /// Half of what it takes up along the world's axes, thickness included [m].
+  static Vec3 extent(const Solid<Real>& solid, const Eigen::Matrix3d& rotation) {
+    return rotation.cwiseAbs() * solid.half + Vec3::Constant(double(solid.thickness));
   }
 
   ContactBlock<Real> block_of(const StepResult<Real>& result, std::size_t block) const {

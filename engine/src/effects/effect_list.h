@@ -98,6 +98,9 @@ class EffectList {
     for (const EffectPointer<Real>& effect : effects_) effect->frames_changed();
   }
   bool leads(Index particle) const;
+  void disturb(double from, double to, Disturbances& disturbed) const {
+    for (const EffectPointer<Real>& effect : effects_) effect->disturb(from, to, disturbed);
+  }
   void pins_moved(const State<Real>& state) {
     for (const EffectPointer<Real>& effect : effects_) effect->pins_moved(state);
   }

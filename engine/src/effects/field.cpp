@@ -31,6 +31,10 @@ class FieldForce final : public CompiledEffect<Real> {
     });
   }
 
+  void disturb(double from, double to, Disturbances& disturbed) const override {
+    if (changes(field_.shape, field_.envelope, from, to)) disturbed.all();
+  }
+
   bool calls_user() const override { return std::holds_alternative<CallbackField>(field_.shape); }
 
   Stage stage() const override {

@@ -86,6 +86,12 @@ struct FieldAt {
   Vec3 operator()(const Vec3& position) const { return factor * shape(position); }
 };
 
+/// Whether a field may differ between two times [s] anywhere.
+inline bool changes(const FieldShape& shape, const Envelope& envelope, double from, double to) {
+  return std::holds_alternative<TurbulenceField>(shape) || std::holds_alternative<CallbackField>(shape) ||
+         factor_at(envelope, from) != factor_at(envelope, to);
+}
+
 /// Returns use(FieldAt) for a field at a time [s]: which shape it has is asked once for many positions.
 template <class Use>
 decltype(auto) with_field_at(const FieldShape& shape, const Envelope& envelope, double time, const Use& use) {

@@ -39,6 +39,11 @@ class ScriptedForce final : public CompiledEffect<Real> {
     }
   }
 
+  void disturb(double from, double to, Disturbances& disturbed) const override {
+    if (force_at(keyframes_, from) == force_at(keyframes_, to)) return;
+    for (const Index particle : particles_) disturbed.particle(particle);
+  }
+
   Stage stage() const override {
     return {std::string(ForceScript::name),
             {},

@@ -47,6 +47,15 @@ class ScriptedMotion final : public CompiledEffect<Real> {
     }
   }
 
+  /// It lets go at the end of its path, whether it moved till then or not.
+  void disturb(double from, double to, Disturbances& disturbed) const override {
+    if (moved_.empty() || to < path_.front().time || from > path_.back().time) return;
+    const bool rests = from >= path_.front().time && to < path_.back().time &&
+                       displacement_at(path_, from) == displacement_at(path_, to);
+    if (rests) return;
+    for (const ScriptedParticle& moved : moved_) disturbed.particle(moved.particle);
+  }
+
   bool leads(Index particle) const override {
     return std::any_of(moved_.begin(), moved_.end(),
                        [&](const auto& one) { return one.particle == particle; });

@@ -38,6 +38,10 @@ class ParticleWindForce final : public CompiledEffect<Real> {
     }
   }
 
+  void disturb(double from, double to, Disturbances& disturbed) const override {
+    if (c_ > Real(0) && changes(wind_.velocity, wind_.envelope, from, to)) disturbed.all();
+  }
+
   bool calls_user() const override { return std::holds_alternative<CallbackField>(wind_.velocity); }
 
   Stage stage() const override {

@@ -19,7 +19,8 @@ template <class Real>
 class Seam final : public CompiledEffect<Real> {
  public:
   Seam(const Stitch& stitch, const EffectContext<Real>& context)
-      : knots_(stitch, context.scene, context.model.order),
+      : model_(context.model),
+        knots_(stitch, context.scene, context.model.order),
         closing_time_(stitch.closing_time),
         pairs_(stitch.first.size()),
         inverse_mass_(inverse_masses_of_free(context.scene, context.model.order)),
@@ -43,6 +44,7 @@ class Seam final : public CompiledEffect<Real> {
     executor.parallel_for(knots_.knots.size(), knots_in_run, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const Knot& knot = knots_.knots[k];
+        if (model_.sleeps(knots_.particles[knot.first_particle])) continue;
         pull_together(knot, result);
         share_out(knot, result.next);
       }
@@ -69,6 +71,11 @@ class Seam final : public CompiledEffect<Real> {
 
   std::size_t memory_size() const override { return 1 + 3 * pairs_; }  ///< time [s], impulses [N s]
   void begin_memory(std::size_t first, std::span<Real>) override { memory_ = first; }
+
+  void disturb(double from, double to, Disturbances& disturbed) const override {
+    if (open_at(from) == open_at(to)) return;
+    for (const Index particle : knots_.particles) disturbed.particle(particle);
+  }
 
   Stage stage() const override {
     return {std::string(Stitch::name),
@@ -232,6 +239,7 @@ class Seam final : public CompiledEffect<Real> {
     }
   }
 
+  const Model<Real>& model_;
   Knots knots_;
   double closing_time_;
   std::size_t pairs_;

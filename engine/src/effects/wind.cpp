@@ -228,6 +228,10 @@ class WindForce final : public CompiledEffect<Real> {
 
   std::size_t reach() const override { return triangles_.reach; }
 
+  void disturb(double from, double to, Disturbances& disturbed) const override {
+    if (blows(wind_) && changes(wind_.velocity, wind_.envelope, from, to)) disturbed.all();
+  }
+
   bool calls_user() const override { return std::holds_alternative<CallbackField>(wind_.velocity); }
 
   Stage stage() const override {

@@ -75,19 +75,19 @@ AllowedError allowed_error(const DormandPrince& method, double size, const Model
 }
 
 template <class Real>
-double error_norm(const AllowedError& allowed, double h, std::size_t particles,
+double error_norm(const AllowedError& allowed, double h, const Model<Real>& model,
                   const Accelerations<Real>& accelerations, Executor& executor,
                   std::vector<SquareSums>& results) {
   static const NystromRow row = dormand_prince_error();
   const auto sum_blocks = [&](std::size_t begin, std::size_t end) {
     SquareSums sums;
-    for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
+    model.for_each_awake_strip(begin, end, [&](std::size_t first, std::size_t last) {
       sums.add(square_sums(row, accelerations, first * block_size, (last - first) * block_size));
     });
     return sums;
   };
   const SquareSums sums =
-      sum_in_order<SquareSums>(executor, block_count(particles), run_of_sums, sum_blocks, results);
+      sum_in_order<SquareSums>(executor, block_count(model.particles()), run_of_sums, sum_blocks, results);
   const double position = h * h * root_of_mean(sums.position, allowed.free_particles) / allowed.position;
   const double velocity = h * root_of_mean(sums.velocity, allowed.free_particles) / allowed.velocity;
   return std::hypot(position, velocity) / std::sqrt(2.0);
@@ -97,9 +97,9 @@ template AllowedError allowed_error(const DormandPrince&, double, const Model<fl
                                     const Accelerations<float>&);
 template AllowedError allowed_error(const DormandPrince&, double, const Model<double>&, const State<double>&,
                                     const Accelerations<double>&);
-template double error_norm(const AllowedError&, double, std::size_t, const Accelerations<float>&, Executor&,
-                           std::vector<SquareSums>&);
-template double error_norm(const AllowedError&, double, std::size_t, const Accelerations<double>&, Executor&,
-                           std::vector<SquareSums>&);
+template double error_norm(const AllowedError&, double, const Model<float>&, const Accelerations<float>&,
+                           Executor&, std::vector<SquareSums>&);
+template double error_norm(const AllowedError&, double, const Model<double>&, const Accelerations<double>&,
+                           Executor&, std::vector<SquareSums>&);
 
 }  // namespace hooke

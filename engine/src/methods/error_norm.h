@@ -36,7 +36,7 @@ struct SquareSums {
 /// over the positions and velocities of the particles that are not pinned. Not finite where accelerations are
 /// not. Summed in a fixed order, with `results` for room.
 template <class Real>
-double error_norm(const AllowedError& allowed, double h, std::size_t particles,
+double error_norm(const AllowedError& allowed, double h, const Model<Real>& model,
                   const Accelerations<Real>& accelerations, Executor& executor,
                   std::vector<SquareSums>& results);
 

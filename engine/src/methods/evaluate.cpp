@@ -33,7 +33,7 @@ void evaluate(const State<Real>& state, const Model<Real>& model, Forces<Real>& 
   executor.parallel_for(block_count(state.size()), evaluated_blocks, [&](std::size_t begin, std::size_t end) {
     const FlushSubnormals flush;
     StripForce<Real> force;
-    for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
+    model.for_each_awake_strip(begin, end, [&](std::size_t first, std::size_t last) {
       const Strip<Real> strip(state, first, last);
       forces.on_strip(strip, state, state.time, force);
       accelerate(strip, force, model.inverse_mass, accelerations, stage);

@@ -6,10 +6,10 @@ namespace hooke {
 namespace {
 
 template <class Real>
-void finish_kick(const Accelerations<Real>& accelerations, State<Real>& state) {
+void finish_kick(const Accelerations<Real>& accelerations, const Model<Real>& model, State<Real>& state) {
   const Real kick = Real(state.pending_kick);
   for (std::size_t i = 0; i < state.size(); ++i) {
-    state.set_velocity(i, state.velocity(i) + kick * accelerations.vector(0, i));
+    if (!model.pinned(i)) state.set_velocity(i, state.velocity(i) + kick * accelerations.vector(0, i));
   }
   state.pending_kick = 0.0;
 }
@@ -31,7 +31,7 @@ const State<Real>& WholeState<Real>::of(const State<Real>& now, const Model<Real
   if (made_) return *state_;
   evaluate(now, model, forces, executor, *accelerations_, 0);
   *state_ = now;
-  finish_kick(*accelerations_, *state_);
+  finish_kick(*accelerations_, model, *state_);
   for (const HeldParticle& held : model.held_between(0, now.size()))
     state_->set_velocity(held.particle, now.velocity(held.particle));
   made_ = true;

@@ -82,7 +82,29 @@ Model<Real>::Model(const Scene& scene, const Adjacency& adjacency, Order chosen,
       inverse_mass(inverse_masses<Real>(scene, order, like_pins ? frames.get() : nullptr)),
       spring_layout(lay_out_linear_springs<Real>(scene, adjacency, order, accumulation, executor)),
       moving_pins(hooke::moving_pins(scene, order)),
-      holds_like_pins(like_pins) {}
+      holds_like_pins(like_pins),
+      islands(islands_of(scene)) {
+  if (islands != nullptr) inverse_mass_awake_ = inverse_mass;
+}
+
+template <class Real>
+void Model<Real>::share_islands(const Model& other) {
+  islands = other.islands;
+}
+
+template <class Real>
+void Model<Real>::follow_islands() {
+  if (!islands_changed(changes_followed_)) return;
+  inverse_mass = BlockRows<Real>(particles(),
+                                 [&](std::size_t i) { return sleeps(i) ? Real(0) : inverse_mass_awake_[i]; });
+  awake.choose(block_count(particles()), [&](std::size_t block) {
+    const std::size_t first = block * block_size, last = std::min(first + block_size, particles());
+    for (std::size_t i = first; i < last; ++i) {
+      if (!sleeps(i)) return true;
+    }
+    return false;
+  });
+}
 
 template <class Real>
 const Slots<Real>* slots_of(const Model<Real>& model) {

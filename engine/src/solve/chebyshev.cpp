@@ -7,12 +7,15 @@ namespace hooke {
 namespace {
 
 /// Calls visit(first, last) for the particles of runs of whole blocks, the padding included.
-template <class Visit>
-void for_each_run(std::size_t particles, Executor& executor, const Visit& visit) {
-  executor.parallel_for(block_count(particles), solved_blocks, [&](std::size_t begin, std::size_t end) {
-    const FlushSubnormals flush;
-    visit(begin * block_size, end * block_size);
-  });
+template <class Real, class Visit>
+void for_each_run(const Model<Real>& model, Executor& executor, const Visit& visit) {
+  executor.parallel_for(block_count(model.particles()), solved_blocks,
+                        [&](std::size_t begin, std::size_t end) {
+                          const FlushSubnormals flush;
+                          model.for_each_awake_run(begin, end, [&](std::size_t first, std::size_t last) {
+                            visit(first * block_size, last * block_size);
+                          });
+                        });
 }
 
 /// v = omega (v - before) + before, x = from + h v where the particle is free.
@@ -50,9 +53,10 @@ Chebyshev<Real>::Chebyshev(double rho, std::size_t particles)
               ParticleVectors<Real>(rho > 0.0 ? particles : 0)} {}
 
 template <class Real>
-void Chebyshev<Real>::remember(const State<Real>& now, Executor& executor) {
+void Chebyshev<Real>::remember(const VertexSweeps<Real>& sweeps, Executor& executor) {
+  const State<Real>& now = sweeps.now();
   ParticleVectors<Real>& before = before_[sweeps_ % 2];
-  for_each_run(now.size(), executor, [&](std::size_t first, std::size_t last) {
+  for_each_run(sweeps.model(), executor, [&](std::size_t first, std::size_t last) {
     std::copy(now.vx() + first, now.vx() + last, before.x() + first);
     std::copy(now.vy() + first, now.vy() + last, before.y() + first);
     std::copy(now.vz() + first, now.vz() + last, before.z() + first);
@@ -68,7 +72,7 @@ void Chebyshev<Real>::accelerate(VertexSweeps<Real>& sweeps, Executor& executor)
   const ParticleVectors<Real>& before = before_[sweeps_ % 2];
   const State<Real>& from = sweeps.from();
   State<Real>& now = sweeps.now();
-  for_each_run(now.size(), executor, [&](std::size_t first, std::size_t last) {
+  for_each_run(sweeps.model(), executor, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; i += block_size) {
       const Real* const inverse_mass = sweeps.model().inverse_mass.block(i / block_size);
       extrapolation.apply(inverse_mass, before.x() + i, from.x() + i, now.vx() + i, now.x() + i);

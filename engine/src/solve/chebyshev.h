@@ -22,7 +22,7 @@ class Chebyshev {
   void restart() { sweeps_ = 0; }
 
   /// Before each sweep.
-  void remember(const State<Real>& now, Executor& executor);
+  void remember(const VertexSweeps<Real>& sweeps, Executor& executor);
 
   /// After each sweep.
   void accelerate(VertexSweeps<Real>& sweeps, Executor& executor);

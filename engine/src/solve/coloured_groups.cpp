@@ -1,5 +1,7 @@
 #include "solve/coloured_groups.h"
 
+#include <algorithm>
+
 #include "effects/named_springs.h"
 #include "model/slots.h"
 #include "model/spring_colours.h"
@@ -59,14 +61,29 @@ void ColouredGroups<Real>::fill_group(const Order& engine) {
 }
 
 template <class Real>
+void ColouredGroups<Real>::follow_islands(const Model<Real>& model) {
+  if (!model.islands_changed(islands_seen_)) return;
+  const auto sleeps = [&](std::int32_t offset) {
+    const std::size_t particle = std::size_t(offset / offsets_of_particle<Real>);
+    return particle == model.particles() || model.sleeps(particle);
+  };
+  awake_.choose(size(), [&](std::size_t group) {
+    const auto first = groups_.first.begin() + std::ptrdiff_t(group * block_size);
+    return !std::all_of(first, first + block_size, sleeps);
+  });
+}
+
+template <class Real>
 void ColouredGroups<Real>::project(Real h, const ProjectedParticles<Real>& particles, Real* multipliers,
                                    Executor& executor) const {
   for (std::size_t colour = 0; colour < colours(); ++colour) {
     const std::size_t first = colour_begin_[colour];
-    executor.parallel_for(colour_begin_[colour + 1] - first, groups_at_once,
-                          [&](std::size_t begin, std::size_t end) {
-                            project_springs(groups_, first + begin, first + end, h, particles, multipliers);
-                          });
+    executor.parallel_for(
+        colour_begin_[colour + 1] - first, groups_at_once, [&](std::size_t begin, std::size_t end) {
+          awake_.for_each_run(first + begin, first + end, [&](std::size_t b, std::size_t e) {
+            project_springs(groups_, b, e, h, particles, multipliers);
+          });
+        });
   }
 }
 

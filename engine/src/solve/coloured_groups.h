@@ -5,7 +5,7 @@
 #include <hooke/executor.h>
 
 #include "kernels/spring_projection.h"
-#include "model/order.h"
+#include "model/model.h"
 
 namespace hooke {
 
@@ -15,6 +15,9 @@ template <class Real>
 class ColouredGroups {
  public:
   ColouredGroups(const Scene& scene, const Order& engine);
+
+  /// Takes note of which islands sleep: groups of which all springs do are left out.
+  void follow_islands(const Model<Real>& model);
 
   /// Puts all springs right, one colour after the other.
   void project(Real h, const ProjectedParticles<Real>& particles, Real* multipliers,
@@ -30,6 +33,8 @@ class ColouredGroups {
   void fill_group(const Order& engine);
 
   SpringGroups<Real> groups_;
+  AwakeBlocks awake_;  ///< of groups
+  std::uint64_t islands_seen_ = 0;
   std::vector<std::size_t> colour_begin_{0};  ///< in groups; one more than there are colours
 };
 

@@ -50,7 +50,8 @@ template <class Real>
 class ConjugateGradients final : public DirectionSolver<Real> {
  public:
   explicit ConjugateGradients(const SolverContext<Real>& context)
-      : forces_(context.forces),
+      : model_(context.model),
+        forces_(context.forces),
         executor_(context.executor),
         slots_(slots_of(context.model)),
         mass_(context.model.particles(),
@@ -107,7 +108,8 @@ class ConjugateGradients final : public DirectionSolver<Real> {
     const auto part_of_strips = [&](std::size_t begin, std::size_t end) {
       const FlushSubnormals flush;
       LaneSums sums;
-      for_each_strip(begin, end, [&](std::size_t first, std::size_t last) { part(first, last, sums); });
+      model_.for_each_awake_strip(begin, end,
+                                  [&](std::size_t first, std::size_t last) { part(first, last, sums); });
       return DotSum{sums.total()};
     };
     return sum_in_order<DotSum>(executor_, block_count(search_.size()), solved_blocks, part_of_strips, sums_)
@@ -154,6 +156,7 @@ class ConjugateGradients final : public DirectionSolver<Real> {
     if (of_effects_) forces_.effects().add_uncoupled_derivatives(strip, time, weights_, effects);
     for (std::size_t block = begin; block < end; ++block) {
       const Real* const mass = mass_.block(block);
+      const Real* const inverse_mass = model_.inverse_mass.block(block);
       for (std::size_t i = 0; i < block_size; ++i) {
         const std::size_t lane = (block - begin) * block_size + i;
         const Symmetric3<Real> own{effects.xx[lane], effects.xy[lane], effects.xz[lane],
@@ -162,7 +165,7 @@ class ConjugateGradients final : public DirectionSolver<Real> {
                                    springs.xz[lane] + own.xz,           mass[i] + springs.yy[lane] + own.yy,
                                    springs.yz[lane] + own.yz,           mass[i] + springs.zz[lane] + own.zz};
         if (of_effects_) (*of_effects_)[block].set_lane(i, own);
-        inverse_[block].set_lane(i, mass[i] > Real(0) ? all.inverse() : Symmetric3<Real>{});
+        inverse_[block].set_lane(i, inverse_mass[i] > Real(0) ? all.inverse() : Symmetric3<Real>{});
       }
     }
   }
@@ -237,23 +240,29 @@ class ConjugateGradients final : public DirectionSolver<Real> {
     executor_.parallel_for(block_count(search_.size()), solved_blocks,
                            [&](std::size_t begin, std::size_t end) {
                              const FlushSubnormals flush;
-                             const std::size_t first = begin * block_size, last = end * block_size;
-                             const auto turn_one = [&](Real* p, const Real* z) {
-                               for (std::size_t i = first; i < last; ++i) p[i] = z[i] + share * p[i];
-                             };
-                             turn_one(search_.vx(), preconditioned_.x());
-                             turn_one(search_.vy(), preconditioned_.y());
-                             turn_one(search_.vz(), preconditioned_.z());
-                             if (Real* const packed = search_.packed_velocities()) {
-                               for (std::size_t i = first; i < last; ++i) {
-                                 packed[i * packed_width] = search_.vx()[i];
-                                 packed[i * packed_width + 1] = search_.vy()[i];
-                                 packed[i * packed_width + 2] = search_.vz()[i];
-                               }
-                             }
+                             model_.for_each_awake_run(begin, end, [&](std::size_t first, std::size_t last) {
+                               turn_lanes(share, first * block_size, last * block_size);
+                             });
                            });
   }
 
+  void turn_lanes(Real share, std::size_t first, std::size_t last) {
+    const auto turn_one = [&](Real* p, const Real* z) {
+      for (std::size_t i = first; i < last; ++i) p[i] = z[i] + share * p[i];
+    };
+    turn_one(search_.vx(), preconditioned_.x());
+    turn_one(search_.vy(), preconditioned_.y());
+    turn_one(search_.vz(), preconditioned_.z());
+    Real* const packed = search_.packed_velocities();
+    if (packed == nullptr) return;
+    for (std::size_t i = first; i < last; ++i) {
+      packed[i * packed_width] = search_.vx()[i];
+      packed[i * packed_width + 1] = search_.vy()[i];
+      packed[i * packed_width + 2] = search_.vz()[i];
+    }
+  }
+
+  const Model<Real>& model_;
   Forces<Real>& forces_;
   Executor& executor_;
   const Slots<Real>* slots_;  // null where there are no springs

@@ -43,7 +43,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
       change_.emplace(factor_);
     }
     if (secant_pairs > 0) {
-      pairs_.emplace(context.model.particles(), secant_pairs, context.executor);
+      pairs_.emplace(context.model, secant_pairs, context.executor);
       remainder_.emplace(context.model.particles());
     }
   }

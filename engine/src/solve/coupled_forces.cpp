@@ -23,9 +23,9 @@ void add_lanes(const Real* values, Real* sum) {
 }  // namespace
 
 template <class Real>
-CoupledForces<Real>::CoupledForces(Forces<Real>& forces, std::size_t particles)
-    : effects_(forces.effects()), any_(effects_.coupled() || effects_.prepares()) {
-  if (effects_.coupled()) taken_.emplace(particles);
+CoupledForces<Real>::CoupledForces(const Model<Real>& model, Forces<Real>& forces)
+    : model_(model), effects_(forces.effects()), any_(effects_.coupled() || effects_.prepares()) {
+  if (effects_.coupled()) taken_.emplace(model.particles());
 }
 
 template <class Real>
@@ -35,7 +35,7 @@ void CoupledForces<Real>::take(const State<Real>& state, double time, const Deri
   if (!taken_) return;
   executor.parallel_for(block_count(state.size()), blocks_at_once, [&](std::size_t begin, std::size_t end) {
     const FlushSubnormals flush;
-    for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
+    model_.for_each_awake_strip(begin, end, [&](std::size_t first, std::size_t last) {
       const Strip<Real> strip(state, first, last);
       StripForce<Real> force{};
       StripBlocks<Real> blocks{};

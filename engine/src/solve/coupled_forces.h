@@ -14,7 +14,7 @@ namespace hooke {
 template <class Real>
 class CoupledForces {
  public:
-  CoupledForces(Forces<Real>& forces, std::size_t particles);
+  CoupledForces(const Model<Real>& model, Forces<Real>& forces);
 
   /// Whether take() must be called before add(), and before uncoupled forces are asked for.
   bool any() const { return any_; }
@@ -37,6 +37,7 @@ class CoupledForces {
     ParticleBlocks<Real> blocks;
   };
 
+  const Model<Real>& model_;
   EffectList<Real>& effects_;
   bool any_;
   std::optional<Taken> taken_;

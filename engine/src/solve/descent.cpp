@@ -157,19 +157,26 @@ class Descent final : public StageSolver<Real> {
   void move(const ImplicitStage<Real>& stage, double length, State<Real>& next) {
     executor_.parallel_for(block_count(next.size()), solved_blocks, [&](std::size_t begin, std::size_t end) {
       const FlushSubnormals flush;
-      const std::size_t first = begin * block_size, lanes = (end - begin) * block_size;
-      const Real h = Real(stage.h), share = Real(length);
-      const State<Real>& from = stage.from;
-      move_lanes(lanes, from.x() + first, h, share, direction_.x() + first, next.x() + first,
-                 next.vx() + first);
-      move_lanes(lanes, from.y() + first, h, share, direction_.y() + first, next.y() + first,
-                 next.vy() + first);
-      move_lanes(lanes, from.z() + first, h, share, direction_.z() + first, next.z() + first,
-                 next.vz() + first);
-      move_pins(pins_between(model_.moving_pins, first, first + lanes), stage.time, next);
-      hold(model_.held_between(first, first + lanes), stage.time, next);
-      pack_strip(next, first, lanes);
+      model_.for_each_awake_run(begin, end, [&](std::size_t first, std::size_t last) {
+        move_blocks(stage, Real(length), first, last, next);
+      });
     });
+  }
+
+  void move_blocks(const ImplicitStage<Real>& stage, Real length, std::size_t begin, std::size_t end,
+                   State<Real>& next) {
+    const std::size_t first = begin * block_size, lanes = (end - begin) * block_size;
+    const Real h = Real(stage.h);
+    const State<Real>& from = stage.from;
+    move_lanes(lanes, from.x() + first, h, length, direction_.x() + first, next.x() + first,
+               next.vx() + first);
+    move_lanes(lanes, from.y() + first, h, length, direction_.y() + first, next.y() + first,
+               next.vy() + first);
+    move_lanes(lanes, from.z() + first, h, length, direction_.z() + first, next.z() + first,
+               next.vz() + first);
+    move_pins(pins_between(model_.moving_pins, first, first + lanes), stage.time, next);
+    hold(model_.held_between(first, first + lanes), stage.time, next);
+    pack_strip(next, first, lanes);
   }
 
   /// Of a direction: its slope, and its square weighted by mass.
@@ -186,7 +193,7 @@ class Descent final : public StageSolver<Real> {
       const FlushSubnormals flush;
       LaneSums slope, momentum;
       Real weighted[block_size];
-      for (std::size_t block = begin; block < end; ++block) {
+      const auto measure_block = [&](std::size_t block) {
         const std::size_t first = block * block_size;
         slope.add_dot(direction_, residual_.values(), first, block_size);
         const Real* const mass = residual_.mass().block(block);
@@ -194,7 +201,10 @@ class Descent final : public StageSolver<Real> {
           for (std::size_t i = 0; i < block_size; ++i) weighted[i] = mass[i] * dv[i];
           momentum.add_products(weighted, dv, block_size);
         }
-      }
+      };
+      model_.for_each_awake_run(begin, end, [&](std::size_t first, std::size_t last) {
+        for (std::size_t block = first; block < last; ++block) measure_block(block);
+      });
       return Sums{slope.total(), momentum.total()};
     };
     return sum_in_order<Sums>(executor_, block_count(model_.particles()), solved_blocks, part, sums_);

@@ -19,7 +19,8 @@ Real largest_eigenvalue_bound(const StripBlocks<Real>& m, std::size_t i) {
 
 template <class Real>
 EffectStiffness<Real>::EffectStiffness(const SolverContext<Real>& context)
-    : forces_(context.forces),
+    : model_(context.model),
+      forces_(context.forces),
       bounds_(context.forces.effects().has_derivatives() ? context.model.particles() : 0, Real(0)) {}
 
 template <class Real>
@@ -30,7 +31,7 @@ void EffectStiffness<Real>::clear() {
 template <class Real>
 void EffectStiffness<Real>::add(const State<Real>& at, double time, const DerivativeWeights<Real>& weights) {
   if (bounds_.empty()) return;
-  for_each_strip(0, block_count(at.size()), [&](std::size_t begin, std::size_t end) {
+  model_.for_each_awake_strip(0, block_count(at.size()), [&](std::size_t begin, std::size_t end) {
     const Strip<Real> strip(at, begin, end);
     StripBlocks<Real> blocks{};
     forces_.effects().add_uncoupled_derivatives(strip, time, weights, blocks);

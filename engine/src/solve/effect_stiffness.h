@@ -24,6 +24,7 @@ class EffectStiffness {
   std::size_t bytes() const { return bounds_.capacity() * sizeof(Real); }
 
  private:
+  const Model<Real>& model_;
   const Forces<Real>& forces_;
   std::vector<Real> bounds_;
 };

@@ -25,7 +25,7 @@ template <class Real>
 FreeMotion<Real>::FreeMotion(const Model<Real>& model, Forces<Real>& forces)
     : model_(model),
       forces_(forces),
-      coupled_(forces, model.particles()),
+      coupled_(model, forces),
       start_(model.particles()),
       now_(model.particles()) {
   now_.memory = forces.effects().initial_memory();

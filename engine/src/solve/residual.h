@@ -11,7 +11,7 @@
 namespace hooke {
 
 /// What the equations of implicit stages lack of being solved: M (from.v - v) + h f(x, v, time) [kg m/s], 0
-/// where particles are pinned.
+/// where particles are pinned or asleep.
 template <class Real>
 class Residual {
  public:
@@ -26,11 +26,13 @@ class Residual {
   std::size_t bytes() const { return values_.bytes() + mass_.bytes(); }
 
  private:
+  const Model<Real>& model_;
   Forces<Real>& forces_;
   Executor& executor_;
   BlockRows<Real> mass_;
   ParticleVectors<Real> values_;
   std::vector<DotSum> sums_;
+  std::uint64_t islands_seen_ = 0;
 };
 
 }  // namespace hooke

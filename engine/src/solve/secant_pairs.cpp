@@ -33,12 +33,13 @@ void take_change(Real sign, const Real* now, Real* last, Real* change, std::size
 }  // namespace
 
 template <class Real>
-SecantPairs<Real>::SecantPairs(std::size_t particles, std::size_t most, Executor& executor)
-    : pairs_(most + 1, Pair{ParticleVectors<Real>(particles), ParticleVectors<Real>(particles)}),
-      velocity_(particles),
-      residual_(particles),
-      executor_(executor),
-      blocks_(block_count(particles)) {}
+SecantPairs<Real>::SecantPairs(const Model<Real>& model, std::size_t most, Executor& executor)
+    : pairs_(most + 1,
+             Pair{ParticleVectors<Real>(model.particles()), ParticleVectors<Real>(model.particles())}),
+      velocity_(model.particles()),
+      residual_(model.particles()),
+      model_(model),
+      executor_(executor) {}
 
 template <class Real>
 void SecantPairs<Real>::clear() {
@@ -52,12 +53,12 @@ double SecantPairs<Real>::sum(const Part& part) {
   const auto run = [&](std::size_t begin, std::size_t end) {
     const FlushSubnormals flush;
     double total = 0.0;
-    for_each_strip(begin, end, [&](std::size_t first, std::size_t last) {
+    model_.for_each_awake_strip(begin, end, [&](std::size_t first, std::size_t last) {
       total += part(first * block_size, (last - first) * block_size);
     });
     return DotSum{total};
   };
-  return sum_in_order<DotSum>(executor_, blocks_, solved_blocks, run, sums_).value;
+  return sum_in_order<DotSum>(executor_, block_count(model_.particles()), solved_blocks, run, sums_).value;
 }
 
 template <class Real>

@@ -6,6 +6,7 @@
 
 #include <hooke/executor.h>
 
+#include "model/model.h"
 #include "solve/lane_sums.h"
 #include "solve/particle_vectors.h"
 
@@ -19,7 +20,7 @@ template <class Real>
 class SecantPairs {
  public:
   /// Keeps the latest `most` pairs.
-  SecantPairs(std::size_t particles, std::size_t most, Executor& executor);
+  SecantPairs(const Model<Real>& model, std::size_t most, Executor& executor);
 
   void clear();
 
@@ -51,9 +52,10 @@ class SecantPairs {
 
   std::vector<Pair> pairs_;                    ///< one more than are kept: the next, which may be dropped
   ParticleVectors<Real> velocity_, residual_;  ///< of the last observation
+  const Model<Real>& model_;
   Executor& executor_;
   std::vector<DotSum> sums_;
-  std::size_t blocks_, next_ = 0, known_ = 0;
+  std::size_t next_ = 0, known_ = 0;
   bool seen_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "solve/solved_steps.h"
 
+#include <algorithm>
 #include <variant>
 
 #include "frames/held_forces.h"
@@ -36,15 +37,24 @@ Stage SolvedSteps<Real>::stage() const {
 }
 
 template <class Real>
+template <class Visit>
+void SolvedSteps<Real>::for_each_awake(const Visit& visit) const {
+  model_.for_each_awake_run(0, block_count(model_.particles()), [&](std::size_t begin, std::size_t end) {
+    const std::size_t last = std::min(end * block_size, model_.particles());
+    for (std::size_t i = begin * block_size; i < last; ++i) visit(i);
+  });
+}
+
+template <class Real>
 void SolvedSteps<Real>::guess(const ImplicitStage<Real>& stage, const State<Real>& now,
                               State<Real>& next) const {
-  for (std::size_t i = 0; i < now.size(); ++i) {
+  for_each_awake([&](std::size_t i) {
     const Eigen::Matrix<Real, 3, 1> velocity = now.velocity(i);
     next.set_velocity(i, velocity);
     next.set_position(i, model_.pinned(i)
                              ? now.position(i)
                              : Eigen::Matrix<Real, 3, 1>(stage.from.position(i) + Real(stage.h) * velocity));
-  }
+  });
   move_pins<Real>(model_.moving_pins, stage.time, next);
   hold(model_.held_between(0, next.size()), stage.time, next);
 }
@@ -79,12 +89,12 @@ StageResult SolvedSteps<Real>::take_middle(double h, double time, double time_af
   guess(stage, now, next);
   const StageResult result = solver_->solve(stage, next);
   release(stage, h, next);
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (model_.pinned(i)) continue;
+  for_each_awake([&](std::size_t i) {
+    if (model_.pinned(i)) return;
     const Eigen::Matrix<Real, 3, 1> middle = next.velocity(i);
     next.set_position(i, now.position(i) + Real(h) * middle);
     next.set_velocity(i, Real(2) * middle - now.velocity(i));
-  }
+  });
   move_pins<Real>(model_.moving_pins, time_after, next);
   return result;
 }
@@ -94,10 +104,10 @@ StageResult SolvedSteps<Real>::take_two_steps(double h, double time_after, const
                                               State<Real>& next) {
   const State<Real>&now = states.now(), &before = states.before();
   constexpr Real third = Real(1) / Real(3);
-  for (std::size_t i = 0; i < now.size(); ++i) {
+  for_each_awake([&](std::size_t i) {
     from_->set_position(i, now.position(i) + third * (now.position(i) - before.position(i)));
     from_->set_velocity(i, now.velocity(i) + third * (now.velocity(i) - before.velocity(i)));
-  }
+  });
   const ImplicitStage<Real> stage{*from_, 2.0 / 3.0 * h, time_after};
   guess(stage, now, next);
   const StageResult result = solver_->solve(stage, next);
@@ -133,7 +143,11 @@ StageResult SolvedSteps<Real>::take(double h, double time, double time_after, St
 template <class Real>
 void SolvedSteps<Real>::correct(double h, double time_after, const State<Real>& now, State<Real>& next) {
   const StepResult<Real> result{now, next, h, time_after, 0.0};
-  if (effects_.corrects_strips()) effects_.correct_strips(result, 0, block_count(next.size()));
+  if (effects_.corrects_strips()) {
+    model_.for_each_awake_run(0, block_count(next.size()), [&](std::size_t begin, std::size_t end) {
+      effects_.correct_strips(result, begin, end);
+    });
+  }
   if (effects_.corrects()) effects_.correct(result, executor_);
 }
 
@@ -141,7 +155,7 @@ template <class Real>
 Index SolvedSteps<Real>::first_bad(StateRing<Real>& states) const {
   State<Real>& next = states.after(1);
   std::atomic<Index> bad{Report::none};
-  for_each_strip(0, block_count(next.size()), [&](std::size_t begin, std::size_t end) {
+  model_.for_each_awake_strip(0, block_count(next.size()), [&](std::size_t begin, std::size_t end) {
     const Strip<Real> strip(next, begin, end);
     note_first_bad(NextStrip<Real>(next, strip.first), strip, model_.order, bad);
   });

@@ -45,6 +45,10 @@ class SolvedSteps {
                           State<Real>& next);
   StageResult take_two_steps(double h, double time_after, const StateRing<Real>& states, State<Real>& next);
 
+  /// visit(particle) for all that blocks of awake ones have, in the engine's order.
+  template <class Visit>
+  void for_each_awake(const Visit& visit) const;
+
   /// Sets `next` to the guess of a stage: the velocities of now, and pins where they are at its time.
   void guess(const ImplicitStage<Real>& stage, const State<Real>& now, State<Real>& next) const;
 

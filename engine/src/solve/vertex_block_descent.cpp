@@ -69,7 +69,7 @@ class BlockDescent final : public StageSolver<Real> {
     bool accelerated = method_.acceleration > 0.0;
     double least_across = 0.0;
     while (result.iterations < method_.iterations) {
-      if (accelerated) chebyshev_.remember(sweeps_.now(), executor_);
+      if (accelerated) chebyshev_.remember(sweeps_, executor_);
       result.residual = h * std::sqrt(sweeps_.sweep(Real(least_across))) * scale_;
       ++result.iterations;
       if (result.residual <= method_.tolerance) break;

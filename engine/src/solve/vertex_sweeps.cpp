@@ -5,8 +5,8 @@
 namespace hooke {
 namespace {
 
-/// Particles copied by one thread at a time.
-constexpr std::size_t copied_particles = 4096;
+/// Blocks of particles copied by one thread at a time.
+constexpr std::size_t copied_blocks = 256;
 
 /// Strips that one thread takes at a time: some microseconds of work.
 constexpr std::size_t strips_at_once = 4;
@@ -44,9 +44,10 @@ VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjac
       model_(context.scene, adjacency, std::move(colours.order), Accumulation::gather, context.executor,
              context.model.holds_like_pins),
       forces_(context.scene, model_),
-      coupled_(forces_, model_.particles()),
+      coupled_(model_, forces_),
       from_(model_.particles()),
       now_(model_.particles(), packed_for(model_)) {
+  model_.share_islands(context.model);
   now_.memory = forces_.effects().initial_memory();
   now_.pairs.resize(forces_.effects().pair_lists());
   cut_into_strips(colours.begin);
@@ -94,12 +95,33 @@ bool VertexSweeps<Real>::overlaps(const VertexStrip& strip, std::size_t first, s
 }
 
 template <class Real>
+void VertexSweeps<Real>::follow_islands() {
+  if (!model_.islands_changed(islands_seen_)) return;
+  model_.follow_islands();
+  awake_.choose(strips_.size(),
+                [&](std::size_t s) { return model_.awake.any(strips_[s].begin, strips_[s].end); });
+  std::fill(changes_.begin(), changes_.end(), 0.0);
+}
+
+/// visit(first, last) for runs of particles in blocks that are awake.
+template <class Real>
+template <class Visit>
+void VertexSweeps<Real>::for_each_awake(const Visit& visit) const {
+  executor_.parallel_for(block_count(engine_.size()), copied_blocks, [&](std::size_t begin, std::size_t end) {
+    model_.for_each_awake_run(begin, end, [&](std::size_t first, std::size_t last) {
+      visit(first * block_size, std::min(last * block_size, engine_.size()));
+    });
+  });
+}
+
+template <class Real>
 void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real>& guess) {
   h_ = Real(stage.h);
   time_ = stage.time;
   now_.memory = stage.from.memory;
   now_.pairs = stage.from.pairs;
-  executor_.parallel_for(engine_.size(), copied_particles, [&](std::size_t begin, std::size_t end) {
+  follow_islands();
+  for_each_awake([&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index e = engine_[i];
       from_.set_position(i, stage.from.position(e));
@@ -115,7 +137,9 @@ double VertexSweeps<Real>::sweep(Real least_across) {
   const VertexEquations<Real> equations{slots_of(model_), model_.inverse_mass, from_, h_, least_across};
   if (coupled_.any()) coupled_.take(now_, time_, {h_ * h_, h_}, executor_);
   const auto solve = [&](std::size_t first, std::size_t last) {
-    for (std::size_t s = first; s < last; ++s) changes_[s] = solve_strip(equations, strips_[s]);
+    awake_.for_each_run(first, last, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t s = begin; s < end; ++s) changes_[s] = solve_strip(equations, strips_[s]);
+    });
   };
   for (const Colour& colour : colours_) {
     executor_.parallel_for(
@@ -141,7 +165,7 @@ double VertexSweeps<Real>::solve_strip(const VertexEquations<Real>& equations, c
 
 template <class Real>
 void VertexSweeps<Real>::store(State<Real>& next) const {
-  executor_.parallel_for(engine_.size(), copied_particles, [&](std::size_t begin, std::size_t end) {
+  for_each_awake([&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       next.set_position(engine_[i], now_.position(i));
       next.set_velocity(engine_[i], now_.velocity(i));

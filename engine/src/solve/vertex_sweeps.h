@@ -34,6 +34,7 @@ class VertexSweeps {
   const Model<Real>& model() const { return model_; }
   const State<Real>& from() const { return from_; }
   State<Real>& now() { return now_; }
+  const State<Real>& now() const { return now_; }
   Real h() const { return h_; }  ///< [s]
 
   std::size_t colours() const { return colours_.size(); }
@@ -42,6 +43,11 @@ class VertexSweeps {
  private:
   VertexSweeps(const SolverContext<Real>& context, const Adjacency& adjacency);
   VertexSweeps(const SolverContext<Real>& context, const Adjacency& adjacency, VertexColours colours);
+
+  void follow_islands();
+
+  template <class Visit>
+  void for_each_awake(const Visit& visit) const;
 
   double solve_strip(const VertexEquations<Real>& equations, const VertexStrip& strip);
 
@@ -61,6 +67,8 @@ class VertexSweeps {
   std::vector<Index> engine_;  ///< for each particle here its number in the engine's order
   std::vector<Colour> colours_;
   std::vector<VertexStrip> strips_;
+  AwakeBlocks awake_;  ///< of strips
+  std::uint64_t islands_seen_ = 0;
   std::vector<double> changes_;  ///< for each strip
   State<Real> from_, now_;
   Real h_ = 0;

@@ -16,6 +16,7 @@ class PositionBasedDynamics final : public StageSolver<Real> {
  public:
   PositionBasedDynamics(const Xpbd& method, const SolverContext<Real>& context)
       : method_(method),
+        model_(context.model),
         executor_(context.executor),
         springs_(context.scene, context.model.order),
         motion_(context.model, context.forces),
@@ -28,6 +29,7 @@ class PositionBasedDynamics final : public StageSolver<Real> {
   }
 
   StageResult solve(const ImplicitStage<Real>& stage, State<Real>& next) override {
+    springs_.follow_islands(model_);
     const double parts = double(method_.substeps);
     for (std::uint64_t n = 1; n <= method_.substeps; ++n)
       take_substep({stage, next, Real(stage.h / parts), 1.0 - double(n) / parts, n == 1});
@@ -64,7 +66,9 @@ class PositionBasedDynamics final : public StageSolver<Real> {
 
   template <class Visit>
   void for_each_run(const Visit& visit) {
-    executor_.parallel_for(block_count(motion_.now().size()), blocks_at_once, visit);
+    executor_.parallel_for(
+        block_count(model_.particles()), blocks_at_once,
+        [&](std::size_t begin, std::size_t end) { model_.for_each_awake_run(begin, end, visit); });
   }
 
   void take_substep(const typename FreeMotion<Real>::Substep& substep) {
@@ -97,6 +101,7 @@ class PositionBasedDynamics final : public StageSolver<Real> {
   }
 
   const Xpbd method_;
+  const Model<Real>& model_;
   Executor& executor_;
   ColouredGroups<Real> springs_;
   FreeMotion<Real> motion_;

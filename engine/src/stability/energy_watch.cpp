@@ -131,7 +131,7 @@ auto EnergyWatch<Real>::sums(const State<Real>& state) -> Sums {
     const FlushSubnormals flush;
     std::array<double, block_size> kinetic{}, gravity{};
     for (std::size_t block = begin; block < end; ++block) {
-      const Real* const inverse_mass = model_.inverse_mass.block(block);
+      const Real* const inverse_mass = model_.inverse_mass_awake().block(block);
       const std::size_t i = block * block_size;
       const Real *const x = state.x() + i, *const y = state.y() + i, *const z = state.z() + i;
       const Real *const vx = state.vx() + i, *const vy = state.vy() + i, *const vz = state.vz() + i;

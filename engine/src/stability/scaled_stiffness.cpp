@@ -42,7 +42,7 @@ ScaledStiffness<Real>::ScaledStiffness(const Model<Real>& model, std::span<const
   }
   inverse_roots_.reserve(3 * model.particles());
   for (std::size_t i = 0; i < model.particles(); ++i) {
-    inverse_roots_.insert(inverse_roots_.end(), 3, std::sqrt(double(model.inverse_mass[i])));
+    inverse_roots_.insert(inverse_roots_.end(), 3, std::sqrt(double(model.inverse_mass_awake()[i])));
   }
 }
 

@@ -1,0 +1,107 @@
+// Steps of a scene of which parts may sleep.
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "report_of_steps.h"
+#include "simulation_parts.h"
+#include "step.h"
+
+namespace hooke {
+namespace {
+
+constexpr std::string_view sweep_name = "sleep";
+
+/// Whose message says which function was called in vain.
+void require_particle(const std::string& function, Index particle, std::size_t particles) {
+  if (particle < particles) return;
+  throw std::out_of_range(function + ": there is no particle " + std::to_string(particle) +
+                          "; give one below " + std::to_string(particles));
+}
+
+}  // namespace
+
+template <class Real>
+void Simulation<Real>::Parts::begin_sleep(const Sleep& sleep) {
+  sleepers.emplace(sleep, model, settings.step);
+  plan.shown.stages.push_back({std::string(Sleep::name),
+                               std::string(sweep_name),
+                               {"position", "velocity"},
+                               {"blocks of particles that steps work on"},
+                               sleepers->bytes()});
+  times.push_back({sweep_name, 0.0});
+}
+
+template <class Real>
+void Simulation<Real>::Parts::follow_sleepers() {
+  if (!model.islands_changed(islands_seen)) return;
+  model.follow_islands();
+  forces.clear();  // of sums that blocks asleep did not take
+  whole.forget();
+  if (controlled) controlled->restart(controlled->next_step(), controlled->last_error());
+}
+
+template <class Real>
+void Simulation<Real>::Parts::wake(Index particle) {
+  if (!sleepers) return;
+  sleepers->wake(model.islands->of(particle));
+  follow_sleepers();
+}
+
+template <class Real>
+void Simulation<Real>::Parts::take_sleeping_steps(std::uint64_t count, Report& report) {
+  using WallClock = std::chrono::steady_clock;
+  while (report.steps_taken < count && report.ok()) {
+    WallClock::time_point start = WallClock::now();
+    const auto lap = [&] {
+      time_of(sweep_name).seconds += std::chrono::duration<double>(WallClock::now() - start).count();
+    };
+    const double end = StepTimes{time_at_step_0, steps, settings.step}.after(1);
+    sleepers->begin_step(states.now().time, end, forces.effects());
+    follow_sleepers();
+    lap();
+    if (model.islands->asleep() == model.islands->size()) {
+      rest_until(end);
+      ++report.steps_taken;
+      continue;
+    }
+    Report step;
+    take_awake_steps(1, step);
+    add_step(step, report);
+    if (!step.ok()) break;
+    start = WallClock::now();
+    sleepers->end_step(states, *executor);
+    follow_sleepers();
+    lap();
+  }
+}
+
+/// A step in which nothing is awake.
+template <class Real>
+void Simulation<Real>::Parts::rest_until(double time) {
+  states.now().time = time;
+  whole.forget();
+  ++steps;
+}
+
+template <class Real>
+bool Simulation<Real>::is_asleep(Index particle) const {
+  require_particle("is_asleep", particle, particle_count());
+  return parts_->sleepers && parts_->model.islands->particle_sleeps(particle);
+}
+
+template <class Real>
+void Simulation<Real>::wake(Index particle) {
+  require_particle("wake", particle, particle_count());
+  parts_->wake(particle);
+}
+
+template struct Simulation<float>::Parts;
+template struct Simulation<double>::Parts;
+template bool Simulation<float>::is_asleep(Index) const;
+template bool Simulation<double>::is_asleep(Index) const;
+template void Simulation<float>::wake(Index);
+template void Simulation<double>::wake(Index);
+
+}  // namespace hooke

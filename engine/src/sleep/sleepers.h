@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <hooke/effects.h>
+#include <hooke/executor.h>
+
+#include "effects/effect_list.h"
+#include "model/model.h"
+#include "sleep/disturbances.h"
+#include "state_ring.h"
+
+namespace hooke {
+
+/// Puts islands to sleep that have come to rest, and wakes them.
+///
+/// An island that is awake has for most of its life a particle that moves, so each piece of it remembers one
+/// that did: as long as that one moves nothing else is looked at.
+template <class Real>
+class Sleepers final : Disturbances {
+ public:
+  /// Of steps of `step` [s]. `model` has islands.
+  Sleepers(const Sleep& sleep, const Model<Real>& model, double step);
+
+  /// Before a step from one time to another [s]: wakes what cannot be at rest in it.
+  void begin_step(double from, double to, const EffectList<Real>& effects);
+
+  /// After a step, whose result is the newest state: wakes what was touched by what is awake, and puts to
+  /// sleep what has been at rest for long enough. What falls asleep has no velocity, in all states of the
+  /// ring.
+  void end_step(StateRing<Real>& states, Executor& executor);
+
+  /// An island, and those that fell asleep with it as they touched it.
+  void wake(Index island);
+  void wake_all();
+
+  /// See Snapshot::resting.
+  std::vector<std::uint32_t> resting() const;
+
+  /// As a snapshot has it; of as many islands, or empty. Those that sleep have no velocity in the newest
+  /// state.
+  void restore(std::span<const std::uint32_t> resting, StateRing<Real>& states);
+
+  std::size_t particles_asleep() const;
+  std::size_t bytes() const;
+
+ private:
+  /// A part of an island, in places of particles_.
+  struct Piece {
+    Index island;
+    std::size_t begin, end;
+    std::size_t witness;  ///< that moved when the piece was looked at last
+    bool at_rest = false;
+  };
+
+  /// With sides along the axes [m].
+  struct Box {
+    Vec3 low, high;
+
+    bool meets(const Box& other) const {
+      return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+    }
+  };
+
+  void all() override { all_disturbed_ = true; }
+  void particle(Index particle) override { disturbed_[islands_.of(model_.order.user(particle))] = 1; }
+  void box(const Vec3& low, const Vec3& high) override { boxes_.push_back({low, high}); }
+
+  void disturb_moved_pins(double from, double to);
+  bool is_disturbed(Index island, const Box& around) const;
+  bool moves(std::size_t place, const StateRing<Real>& states) const;
+  void look(Piece& piece, const StateRing<Real>& states) const;
+  void count_steps_at_rest();
+  void wake_touched();
+  std::vector<Index> groups_of_touching() const;
+  void put_to_sleep(const std::vector<Index>& groups, StateRing<Real>& states);
+  void stop(Index island, StateRing<Real>& states) const;
+  Box around(Index island, const State<Real>& state) const;
+  std::span<const Index> particles_of(Index island) const {
+    return std::span(particles_).subspan(begin_[island], begin_[island + 1] - begin_[island]);
+  }
+
+  const Model<Real>& model_;
+  Islands& islands_;
+  double square_speed_, step_;      ///< [m^2/s^2], [s]
+  std::uint32_t enough_;            ///< steps at rest
+  std::vector<std::size_t> begin_;  ///< of each island in particles_; one more than there are islands
+  std::vector<Index> particles_;    ///< in the engine's order
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> steps_at_rest_;  ///< of each island that is awake
+  std::vector<Index> group_;     ///< of each that sleeps: the lowest of those it fell asleep with
+  std::vector<Box> around_;      ///< each that sleeps
+  std::vector<char> never_;      ///< of each whether it may not sleep
+  bool all_disturbed_ = false;   ///< in this step
+  std::vector<char> disturbed_;  ///< likewise, of each island
+  std::vector<Box> boxes_;       ///< likewise what is in them
+};
+
+}  // namespace hooke
