@@ -15,8 +15,9 @@ namespace hooke {
 class ObstacleContacts {
  public:
   /// Where the scene has a collider it has frames. `thickness`: that cloth is kept apart by [m].
-  ObstacleContacts(const Scene& scene, const Frames* frames, double thickness, ContactMasses& masses)
-      : obstacles_(scene, frames, thickness), thickness_(thickness), masses_(masses) {}
+  ObstacleContacts(const Scene& scene, const Frames* frames, PreparedMeshes& meshes, double thickness,
+                   ContactMasses& masses)
+      : obstacles_(scene, frames, meshes, thickness), thickness_(thickness), masses_(masses) {}
 
   /// Colliders are as at `time` [s], the end of a step of `h` [s].
   void move_to(double time, double h);
