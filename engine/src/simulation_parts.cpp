@@ -43,16 +43,17 @@ State<Real> start_of(const Scene& scene, const Model<Real>& model, const Forces<
 
 template <class Real>
 Simulation<Real>::Parts::Parts(const Scene& scene, Settings given)
-    : Parts(scene, given, validated<Real>(scene, given), executor_of(given)) {}
+    : Parts(scene, given, validated<Real>(scene, given), executor_of(given),
+            std::make_shared<PreparedMeshes>()) {}
 
 template <class Real>
 Simulation<Real>::Parts::Parts(const Scene& scene, Settings given, const StepBounds& bounds,
-                               std::shared_ptr<Executor> threads)
+                               std::shared_ptr<Executor> threads, std::shared_ptr<PreparedMeshes> meshes)
     : settings(std::move(given)),
       stability(scene, bounds),
       substeps(substeps_of(stability.bounds, settings)),
       executor(std::move(threads)),
-      model(scene, settings.accumulation, *executor, solves_equations(settings.method)),
+      model(scene, settings.accumulation, *executor, solves_equations(settings.method), std::move(meshes)),
       forces(scene, model),
       scheme(settings.method, model.particles()),
       solved(solved_steps<Real>(settings.method, {scene, model, forces, *executor})),

@@ -55,8 +55,10 @@ struct Simulation<Real>::Parts {
 
   Parts(const Scene& scene, Settings given);
 
-  /// Of a scene without faults, whose bounds are known; on the threads of another simulation.
-  Parts(const Scene& scene, Settings given, const StepBounds& bounds, std::shared_ptr<Executor> threads);
+  /// Of a scene without faults, whose bounds are known; on the threads of another simulation, and with the
+  /// meshes that it has prepared.
+  Parts(const Scene& scene, Settings given, const StepBounds& bounds, std::shared_ptr<Executor> threads,
+        std::shared_ptr<PreparedMeshes> meshes);
 
   /// Takes up to `count` steps; stops before one that goes bad, and reports it.
   Report take_steps(std::uint64_t count);

@@ -150,7 +150,7 @@ template <class Real>
 auto Simulation<Real>::Parts::torn_to(std::shared_ptr<const Scene> scene, const Snapshot<Real>& snapshot,
                                       const StepBounds& bounds) const -> std::unique_ptr<Parts> {
   const bool torn = scene != tears->start;
-  auto made = std::make_unique<Parts>(*scene, settings_of_scene(torn), bounds, executor);
+  auto made = std::make_unique<Parts>(*scene, settings_of_scene(torn), bounds, executor, model.meshes);
   StrainedSprings<Real> springs(*scene, made->model.order, snapshot.relaxing);
   made->begin_tearing(
       {tears->start, std::move(scene), snapshot.torn_from, tears->unstable_step, std::move(springs)});

@@ -88,10 +88,7 @@ void check_pairs(const std::vector<std::vector<PairMemory<Real>>>& lists, std::s
   require(lists.size() == expected, "effects remember " + std::to_string(lists.size()) +
                                         " lists of pairs; the simulation needs " + std::to_string(expected));
   for (const auto& list : lists) {
-    require(std::is_sorted(list.begin(), list.end(),
-                           [](const auto& a, const auto& b) {
-                             return std::pair(a.first, a.second) < std::pair(b.first, b.second);
-                           }),
+    require(std::is_sorted(list.begin(), list.end(), PairOrder{}),
             "pairs are not in order; sort them by their first particle, then by their second one");
     for (const PairMemory<Real>& pair : list) {
       const std::string which =

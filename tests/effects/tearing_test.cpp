@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <map>
 #include <numeric>
 
@@ -457,14 +458,31 @@ TEST_CASE("tearing: a run whose steps are not to be divided goes on where lighte
   CHECK(simulation.settings().unstable_step == UnstableStep::refuse);
 }
 
-TEST_CASE("tearing: a mesh that is in use is not prepared again for the torn scene") {
+TEST_CASE("tearing: a mesh is prepared once for what has the same reach, and seen by each apart") {
   using Shape = LookedUpShape<MeshDistance<float>>;
   const ColliderShape mesh = test::box_mesh({0.5, 0.3, 0.7});
-  const LocalShape<float> first = local_shape<float>(mesh, 0.1, 1), second = local_shape<float>(mesh, 0.1, 1);
-  CHECK(std::get<Shape>(first).distances == std::get<Shape>(second).distances);
-  CHECK(std::get<Shape>(first).seen != std::get<Shape>(second).seen);
-  const LocalShape<float> other = local_shape<float>(mesh, 0.2, 1);
-  CHECK(std::get<Shape>(first).distances != std::get<Shape>(other).distances);
+  PreparedMeshes meshes, others;
+  const auto shape = [&](double reach, PreparedMeshes& from) {
+    return std::get<Shape>(local_shape<float>(mesh, reach, 1, from));
+  };
+  const Shape first = shape(0.1, meshes), second = shape(0.1, meshes);
+  CHECK(first.distances == second.distances);
+  CHECK(first.seen != second.seen);
+  CHECK(first.distances != shape(0.2, meshes).distances);
+  CHECK(first.distances != shape(0.1, others).distances);
+  CHECK(meshes.size() == 2);
+}
+
+TEST_CASE("tearing: the torn scene goes on with the meshes that were prepared for the whole one") {
+  PulledCloth cloth = pulled_cloth(4);
+  MeshShape mesh = test::bumpy_mesh(3);
+  for (Vec3& vertex : mesh.vertices) vertex.y() -= 5.0;
+  cloth.scene.effects.push_back(Collider{.shape = mesh, .thickness = 0.01});
+  const std::clock_t begun = std::clock();
+  Simulation<float> simulation(cloth.scene, {.step = 5e-3, .threads = 1});
+  const std::clock_t made = std::clock();
+  REQUIRE(tear_apart(simulation, 200));
+  CHECK(double(std::clock() - made) < 0.5 * double(made - begun));
 }
 
 TEST_CASE("tearing: values that make no sense are refused with a reason") {

@@ -17,4 +17,13 @@ struct PairMemory {
   bool operator==(const PairMemory&) const = default;
 };
 
+/// Whether one pair of particles comes before another one: by their first particles, then by their second
+/// ones. What is remembered of pairs is sorted so.
+struct PairOrder {
+  template <class Pair, class Other>
+  bool operator()(const Pair& pair, const Other& other) const {
+    return pair.first != other.first ? pair.first < other.first : pair.second < other.second;
+  }
+};
+
 }  // namespace hooke

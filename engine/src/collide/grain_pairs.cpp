@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <hooke/pair_memory.h>
+
 namespace hooke {
 namespace {
 
@@ -72,7 +74,7 @@ void GrainPairs<Real>::find_anew(const State<Real>& state, Executor& executor) {
       }
     });
     for (const Run& run : runs_) pairs_.insert(pairs_.end(), run.found.begin(), run.found.end());
-    std::sort(pairs_.begin(), pairs_.end());
+    std::sort(pairs_.begin(), pairs_.end(), PairOrder{});
   }
   list_by_place();
 }

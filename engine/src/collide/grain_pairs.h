@@ -24,10 +24,6 @@ struct GrainPair {
   Index first, second;              ///< of the user's numbering, first < second
   Index first_place, second_place;  ///< in the engine's order
   double reach;                     ///< the sum of their radii [m]
-
-  bool operator<(const GrainPair& other) const {
-    return first != other.first ? first < other.first : second < other.second;
-  }
 };
 
 /// The pair of a grain, and whether it is the second one in it.

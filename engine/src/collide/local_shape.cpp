@@ -4,8 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include "collide/prepared_mesh.h"
-
 namespace hooke {
 namespace {
 
@@ -45,19 +43,20 @@ LocalCapsule<Real>::LocalCapsule(const CapsuleShape& capsule) : radius(Real(caps
 }
 
 template <class Real>
-LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size_t blocks) {
+LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size_t blocks,
+                             PreparedMeshes& meshes) {
   if (const auto* plane = std::get_if<PlaneShape>(&shape)) return LocalPlane<Real>(*plane);
   if (const auto* sphere = std::get_if<SphereShape>(&shape)) return LocalSphere<Real>(*sphere);
   if (const auto* capsule = std::get_if<CapsuleShape>(&shape)) return LocalCapsule<Real>(*capsule);
   if (const auto* box = std::get_if<BoxShape>(&shape)) return LocalBox<Real>(*box);
   if (const auto* mesh = std::get_if<MeshShape>(&shape))
-    return looked_up(prepared_mesh<Real>(*mesh, reach), blocks);
+    return looked_up(meshes.distances<Real>(*mesh, reach), blocks);
   const auto& field = std::get<HeightfieldShape>(shape);
   return looked_up(std::make_shared<const HeightDistance<Real>>(field, reach), blocks);
 }
 
-template LocalShape<float> local_shape(const ColliderShape&, double, std::size_t);
-template LocalShape<double> local_shape(const ColliderShape&, double, std::size_t);
+template LocalShape<float> local_shape(const ColliderShape&, double, std::size_t, PreparedMeshes&);
+template LocalShape<double> local_shape(const ColliderShape&, double, std::size_t, PreparedMeshes&);
 
 template <class Real>
 std::size_t bytes_of(const LocalShape<Real>& shape) {

@@ -10,6 +10,7 @@
 
 #include "collide/height_distance.h"
 #include "collide/mesh_distance.h"
+#include "collide/prepared_meshes.h"
 #include "collide/seen_planes.h"
 
 namespace hooke {
@@ -71,9 +72,10 @@ using LocalShape = std::variant<LocalPlane<Real>, LocalSphere<Real>, LocalCapsul
                                 LookedUpShape<MeshDistance<Real>>, LookedUpShape<HeightDistance<Real>>>;
 
 /// For so many blocks of particles. Distances from the shape will be exact where they are below `reach` [m],
-/// >= 0.
+/// >= 0. A mesh's are from `meshes`.
 template <class Real>
-LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size_t blocks);
+LocalShape<Real> local_shape(const ColliderShape& shape, double reach, std::size_t blocks,
+                             PreparedMeshes& meshes);
 
 /// What it holds beside itself.
 template <class Real>

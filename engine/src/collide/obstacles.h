@@ -22,7 +22,7 @@ class Obstacles {
  public:
   /// They are seen from places nearer than `margin` [m] to their surface and thickness. Where the scene has a
   /// collider it has frames.
-  Obstacles(const Scene& scene, const Frames* frames, double margin);
+  Obstacles(const Scene& scene, const Frames* frames, PreparedMeshes& meshes, double margin);
 
   std::size_t size() const { return solids_.size(); }
 

@@ -54,7 +54,7 @@ class Colliders final : public CompiledEffect<Real> {
   explicit Colliders(const EffectContext<Real>& context) : blocks_(block_count(context.model.particles())) {
     for (std::size_t i = 0; i < context.scene.effects.size(); ++i) {
       if (const auto* collider = std::get_if<Collider>(&context.scene.effects[i]))
-        add(*collider, context.model.frames->of(i));
+        add(*collider, context.model.frames->of(i), *context.model.meshes);
     }
     for (std::size_t block = 0; block < blocks_; ++block) free_.push_back(free_lanes(context.model, block));
   }
@@ -110,9 +110,9 @@ class Colliders final : public CompiledEffect<Real> {
     return std::uint16_t(lanes);
   }
 
-  void add(const Collider& collider, const RigidMotion* motion) {
+  void add(const Collider& collider, const RigidMotion* motion, PreparedMeshes& meshes) {
     Solid<Real> solid{motion,
-                      local_shape<Real>(collider.shape, collider.thickness, blocks_),
+                      local_shape<Real>(collider.shape, collider.thickness, blocks_, meshes),
                       half_extent_of(collider.shape),
                       radius_of(collider.shape) + collider.thickness,
                       Real(collider.thickness),

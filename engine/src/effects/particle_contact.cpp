@@ -239,21 +239,17 @@ class GrainForce final : public CompiledEffect<Real> {
     return meeting;
   }
 
-  static bool is_before(const PairMemory<Real>& memory, const GrainPair& pair) {
-    return memory.first != pair.first ? memory.first < pair.first : memory.second < pair.second;
-  }
-
   std::size_t memory_from(const State<Real>& state, const GrainPair& pair) const {
     if (!anchors()) return 0;
     const auto& memory = state.pairs[list_];
-    return std::size_t(std::lower_bound(memory.begin(), memory.end(), pair, is_before) - memory.begin());
+    return std::size_t(std::lower_bound(memory.begin(), memory.end(), pair, PairOrder{}) - memory.begin());
   }
 
   const PairMemory<Real>* memory_of(const GrainPair& pair, const State<Real>& state,
                                     std::size_t& known) const {
     if (!anchors()) return nullptr;
     const auto& memory = state.pairs[list_];
-    while (known < memory.size() && is_before(memory[known], pair)) ++known;
+    while (known < memory.size() && PairOrder{}(memory[known], pair)) ++known;
     const bool found =
         known < memory.size() && memory[known].first == pair.first && memory[known].second == pair.second;
     return found ? &memory[known] : nullptr;

@@ -1,15 +1,14 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
 #include "collide/close_pairs.h"
+#include "collide/contact_masses.h"
 #include "collide/contact_sweeps.h"
 #include "collide/impact_zones.h"
-#include "collide/motion_bound.h"
+#include "collide/lasting_pairs.h"
 #include "collide/narrow_phase.h"
-#include "collide/obstacles.h"
+#include "collide/obstacle_contacts.h"
 #include "collide/untangling.h"
 #include "effects/effect_functions.h"
 #include "effects/immovable.h"
@@ -41,24 +40,6 @@ double mean_edge(const Surface& surface, const Places& places) {
   return surface.edges.empty() ? 0.0 : sum / double(surface.edges.size());
 }
 
-/// Pairs are looked for that are so much further apart than contacts are [m]: the more, the longer they do
-/// for, and the more they are.
-struct Margins {
-  double narrow;  ///< where cloth lies on cloth
-  double wide;    ///< elsewhere: neighbours that share no particle should not be pairs
-
-  Margins(double thickness, double edge)
-      : narrow(0.5 * thickness),
-        wide(std::max({narrow, 0.25 * edge, 0.6 * edge - NarrowPhase::active_distance(thickness)})) {}
-};
-
-/// More pairs than so many times the corners are of cloth that lies on cloth.
-constexpr double crowd = 8.0;
-
-/// Where cloth lies on nothing, pairs are looked for where particles are going to be, so many steps ahead, so
-/// that they hold for longer: as far as uses up this share of the margin.
-constexpr double most_ahead = 500.0, least_ahead = 0.2, share_ahead = 0.75;
-
 Places start_of(const Scene& scene, const Order& order) {
   Places places(order.size());
   for (std::size_t i = 0; i < places.size(); ++i) places[order.engine(i)] = scene.particles.position[i];
@@ -76,9 +57,6 @@ Surface surface_of(const SelfCollision& collision, const Scene& scene, const Ord
 /// What crosses is drawn apart by so many mean edges a second, and in a step, at most.
 constexpr double drawn_edges_per_second = 15.0, drawn_edges_in_step = 0.25;
 
-/// What is so many margins away counts as far, and may move so much before pairs are found anew.
-constexpr double far_margins = 16.0;
-
 template <class Real>
 class SelfCollisionCorrection final : public CompiledEffect<Real> {
  public:
@@ -88,21 +66,16 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         start_(start_of(context.scene, context.model.order)),
         end_(start_),
         velocity_(start_),
-        looked_(start_),
         edge_(mean_edge(surface_, start_)),
-        margins_(collision.thickness, edge_),
-        margin_(margins_.wide),
-        close_pairs_(surface_, start_, collision.thickness),
-        bound_(surface_.corners),
-        free_mass_(inverse_masses_of_free(context.scene, context.model.order)),
-        inverse_mass_(free_mass_),
-        is_pinched_(free_mass_.size(), 0),
+        masses_(inverse_masses_of_free(context.scene, context.model.order)),
         scripted_(scripted_times(context.scene, context.model.order)),
-        obstacles_(context.scene, context.model.frames.get(), collision.thickness),
+        obstacles_(context.scene, context.model.frames.get(), *context.model.meshes, collision.thickness,
+                   masses_),
+        pairs_(surface_, start_, collision.thickness, edge_, collision.swept || collision.untangle),
         narrow_phase_(collision.thickness, collision.friction, collision.swept),
-        sweeps_(inverse_mass_),
-        zones_(inverse_mass_) {
-    if (collision.untangle) untangling_.emplace(surface_, inverse_mass_, collision.thickness);
+        sweeps_(masses_.inverse()),
+        zones_(masses_.inverse()) {
+    if (collision.untangle) untangling_.emplace(surface_, masses_.inverse(), collision.thickness);
   }
 
   unsigned parts() const override { return corrects_everything; }
@@ -110,7 +83,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   void correct(const StepResult<Real>& result, Executor& executor) override {
     update_pairs(result, executor);
     const bool is_tangled = is_anything_tangled(result, executor);
-    if (is_tangled || (is_anything_near() && may_touch(result, executor)))
+    if (is_tangled || (pairs_.may_touch() && any_touch(result, executor)))
       keep_apart(result, is_tangled, executor);
     if (untangling_) count_crossings(result, executor);
   }
@@ -125,27 +98,23 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   Stage stage() const override {
-    const std::size_t places =
-        start_.capacity() + end_.capacity() + velocity_.capacity() + looked_.capacity();
+    const std::size_t places = start_.capacity() + end_.capacity() + velocity_.capacity();
     return {std::string(SelfCollision::name),
             {},
             {"position", "velocity", "mass", "triangles"},
             {"position", "velocity"},
-            places * sizeof(Vec3) + (free_mass_.capacity() + inverse_mass_.capacity()) * sizeof(double) +
-                is_pinched_.capacity() + kept_apart_.capacity() * sizeof(ClosePair) + close_pairs_.bytes() +
-                bound_.bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() +
+            places * sizeof(Vec3) + masses_.bytes() + kept_apart_.capacity() * sizeof(ClosePair) +
+                pairs_.bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() +
                 sweeps_.bytes() + obstacles_.bytes()};
   }
 
  private:
   static constexpr std::size_t particles_in_run = 4096;
 
-  /// No less than what rounding takes from a bound on motion.
-  static constexpr double rounding = 1.0 + 1e-6;
-
   void keep_apart(const StepResult<Real>& result, bool is_tangled, Executor& executor) {
     load(result, executor);
     let_all_go(result);
+    obstacles_.move_to(result.time, result.h);
     if (is_tangled) draw_apart(result, executor);
     const bool touches = push_apart(result, executor);
     if (!touches && !is_tangled && !pushed_far_) return;
@@ -153,20 +122,15 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     store(result, executor);
   }
 
-  /// Whether a pair may touch in this step.
-  bool is_anything_near() const {
-    return nearest_ - moved_ <= NarrowPhase::active_distance(collision_.thickness);
-  }
-
   /// Whether any pair touches or passes: where there are few, only their particles are looked at.
-  bool may_touch(const StepResult<Real>& result, Executor& executor) {
-    if (4 * pairs_->size() > surface_.corners.size()) return true;
-    for (const ClosePair& pair : *pairs_) {
+  bool any_touch(const StepResult<Real>& result, Executor& executor) {
+    if (4 * pairs_.found().size() > surface_.corners.size()) return true;
+    for (const ClosePair& pair : pairs_.found()) {
       for (const Index i : pair.particles) load(result, i);
     }
     let_all_go(result);
-    const bool touches = !narrow_phase_.contacts_of(*pairs_, step_of(result, executor), executor).empty();
-    return touches || narrow_phase_.passed();
+    const bool any = !narrow_phase_.contacts_of(pairs_.found(), step_of(result, executor), executor).empty();
+    return any || narrow_phase_.passed();
   }
 
   /// Whether anything crosses at the start of the step.
@@ -178,20 +142,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   void draw_apart(const StepResult<Real>& result, Executor& executor) {
     const double most = edge_ * std::min(drawn_edges_in_step, drawn_edges_per_second * result.h);
-    obstacles_.move_to(result.time, result.h);
-    for (const Index i : surface_.corners) hold_if_pinched(i);
+    obstacles_.hold_pinched(surface_.corners, end_);
     const Places& moves = untangling_->draw_apart(end_, most);
-    for (const Index i : surface_.corners) keep_out_of_obstacles(i, moves[i]);
+    obstacles_.keep_out(surface_.corners, moves, end_);
     begin_round(result, executor);
-  }
-
-  /// Takes back as much of a particle's move as went into colliders.
-  void keep_out_of_obstacles(Index i, const Vec3& move) {
-    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
-      const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
-      const double inwards = -move.dot(surface.outwards);
-      if (surface.gap < 0.0 && inwards > 0.0) end_[i] += std::min(-surface.gap, inwards) * surface.outwards;
-    }
   }
 
   void count_crossings(const StepResult<Real>& result, Executor& executor) {
@@ -204,9 +158,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// Those close pairs that are kept apart.
   const std::vector<ClosePair>& pairs_kept_apart() {
-    if (!untangling_ || !untangling_->is_tangled()) return *pairs_;
+    if (!untangling_ || !untangling_->is_tangled()) return pairs_.found();
     kept_apart_.clear();
-    for (const ClosePair& pair : *pairs_) {
+    for (const ClosePair& pair : pairs_.found()) {
       if (!untangling_->are_entangled(pair)) kept_apart_.push_back(pair);
     }
     return kept_apart_;
@@ -214,71 +168,12 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// Pairs are found anew where particles have moved too far since.
   void update_pairs(const StepResult<Real>& result, Executor& executor) {
-    if (pairs_hold_) measure_motion(result, executor);
-    if (!pairs_hold_ || !(moved_ <= margin_)) find_pairs(result, executor);
-  }
-
-  /// How far particles have moved against each other at the ends of this step, since pairs were found.
-  void measure_motion(const StepResult<Real>& result, Executor& executor) {
-    const State<Real>& start = collision_.swept || untangling_ ? result.start : result.next;
-    moved_ = rounding * bound_.since(start, result.next, margin_ / rounding, executor);
-  }
-
-  void find_pairs(const StepResult<Real>& result, Executor& executor) {
+    if (pairs_.hold_in(result, executor)) return;
     load(result, executor);
-    nearest_ = std::numeric_limits<double>::infinity();
-    pairs_ = &no_pairs_;
-    pairs_hold_ = false;
-    if (!is_finite()) return;  // such a step is not taken
-    margin_ = is_crowd_ ? margins_.narrow : margins_.wide;
-    look(result, 0.0, executor);
-    pairs_hold_ = moved_ <= margin_;
-    if (pairs_hold_ && !is_crowd_) look_ahead(result, executor);
-    // What is fast is looked at along its way in this step alone.
-    if (!pairs_hold_)
-      moved_ = std::min(moved_, rounding * bound_.between(result.start, result.next, executor));
-    const double reach = NarrowPhase::active_distance(collision_.thickness) + margin_;
-    pairs_ = pairs_hold_ ? &close_pairs_.find(looked_, looked_, reach, executor)
-                         : &close_pairs_.find(start_, end_, reach, executor);
-    if (untangling_) {
-      untangling_->crossings().look(close_pairs_.edge_boxes(), close_pairs_.triangle_boxes(),
-                                    pairs_hold_ ? &looked_ : nullptr, margin_, executor);
-    }
-    for (const ClosePair& pair : *pairs_) nearest_ = std::min(nearest_, pair.distance);
-    is_crowd_ = double(pairs_->size()) > crowd * double(surface_.corners.size());
-  }
-
-  /// Unless that leads too far from where they are: what is far moves more, and others are near each other
-  /// there.
-  void look_ahead(const StepResult<Real>& result, Executor& executor) {
-    const double motion = rounding * bound_.since(result.start, result.next, margin_, executor);
-    const double ahead = std::min(most_ahead, share_ahead * margin_ / motion - 1.0);
-    if (!(ahead > least_ahead)) return;
-    look(result, ahead, executor);
-    if (!(moved_ <= margin_)) look(result, 0.0, executor);
-  }
-
-  /// At where particles are going to be after so many more steps like this one.
-  void look(const StepResult<Real>& result, double ahead, Executor& executor) {
-    bound_.look(result.start, result.next, ahead);
-    for (const Index i : surface_.corners) looked_[i] = bound_.looked(i);
-    const double edges = 2.0 * longest_edge(), active = NarrowPhase::active_distance(collision_.thickness);
-    const double far = edges + active + margin_ + far_margins * margins_.wide;
-    bound_.choose_near(far, far - edges - active);
-    measure_motion(result, executor);
-  }
-
-  bool is_finite() const {
-    return std::all_of(surface_.corners.begin(), surface_.corners.end(),
-                       [&](Index i) { return start_[i].allFinite() && end_[i].allFinite(); });
-  }
-
-  /// Where pairs are looked for [m].
-  double longest_edge() const {
-    double square = 0.0;
-    for (const auto& [a, b] : surface_.edges)
-      square = std::max(square, (looked_[a] - looked_[b]).squaredNorm());
-    return std::sqrt(square);
+    if (!pairs_.find(result, start_, end_, executor) || !untangling_) return;
+    const ClosePairs& boxes = pairs_.boxes();
+    untangling_->crossings().look(boxes.edge_boxes(), boxes.triangle_boxes(), pairs_.looked_at(),
+                                  pairs_.margin(), executor);
   }
 
   template <class Visit>
@@ -300,20 +195,15 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// At the start of a step nothing is known to be pinched.
   void let_all_go(const StepResult<Real>& result) {
-    if (!holds_any_ && scripted_.empty()) return;
-    holds_any_ = false;
-    for (const Index i : surface_.corners) {
-      inverse_mass_[i] = free_mass_[i];
-      is_pinched_[i] = 0;
-    }
+    masses_.let_go(surface_.corners);
     for (const ScriptedTime& script : scripted_) {
-      if (script.holds_at(result.time)) inverse_mass_[script.particle] = 0.0;
+      if (script.holds_at(result.time)) masses_.hold(script.particle);
     }
   }
 
   void store(const StepResult<Real>& result, Executor& executor) {
     for_each_corner(executor, [&](Index i) {
-      if (inverse_mass_[i] == 0.0) return;
+      if (!masses_.can_move(i)) return;
       result.next.set_position(i, end_[i].template cast<Real>());
       result.next.set_velocity(i, velocity_[i].template cast<Real>());
     });
@@ -328,13 +218,12 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   NarrowPhase::Step step_of(const StepResult<Real>& result, Executor& executor) const {
-    return {start_, end_, inverse_mass_, moved_, bound_.between(result.start, result.next, executor)};
+    return {start_, end_, masses_.inverse(), pairs_.moved(), pairs_.motion_in(result, executor)};
   }
 
   /// Moves apart what is too near, until that moves nothing so far that more may come near; then changes
   /// velocities. Whether anything was near.
   bool push_apart(const StepResult<Real>& result, Executor& executor) {
-    obstacles_.move_to(result.time, result.h);
     touching_.clear();
     left_ = 0, pushed_far_ = false;
     bool touches = false;
@@ -345,7 +234,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       pushed_far_ = pushed_far_ || narrow_phase_.passed();
       if (contacts.empty()) break;
       touches = true;
-      pushed_far_ = push(contacts, result.h, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
+      pushed_far_ = push(contacts, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
       choose_touching(contacts, round > 0);
       if (!pushed_far_) break;
     }
@@ -355,9 +244,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   /// How far particles are moved, at most [m].
-  double push(std::vector<SurfaceContact>& contacts, double h, Executor& executor) {
+  double push(std::vector<SurfaceContact>& contacts, Executor& executor) {
     sweeps_.find_particles(contacts);
-    const std::size_t pairs = add_obstacles(contacts, h);
+    const std::size_t pairs = obstacles_.add_to(contacts, sweeps_.particles(), start_, end_);
     sweeps_.set(contacts, executor);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
@@ -374,93 +263,16 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return furthest;
   }
 
-  /// What lies on a collider is not pushed into it: it carries what lies on it. Leaves out what is pinched;
-  /// returns how many contacts of pairs there are then.
-  std::size_t add_obstacles(std::vector<SurfaceContact>& contacts, double h) {
-    on_obstacles_.clear(), obstacle_velocity_.clear();
-    if (obstacles_.size() > 0) {
-      for (const Index i : sweeps_.particles()) find_obstacles_at(i, h);
-      std::erase_if(contacts, [&](const SurfaceContact& contact) {
-        return takes_pinched(contact) || is_squeezed(contact);
-      });
-    }
-    const std::size_t pairs = contacts.size();
-    contacts.insert(contacts.end(), on_obstacles_.begin(), on_obstacles_.end());
-    return pairs;
-  }
-
-  void find_obstacles_at(Index i, double h) {
-    const std::size_t others = on_obstacles_.size();
-    std::size_t deep_in = 0;
-    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o) {
-      const ObstacleSurface surface = obstacles_.seen_from(end_[i], o);
-      if (!(surface.gap < collision_.thickness)) continue;
-      deep_in += is_deep(surface) ? 1 : 0;
-      on_obstacles_.push_back({{i, i, i, i},
-                               {1.0, 0.0, 0.0, 0.0},
-                               surface.outwards,
-                               surface.outwards.dot(end_[i]) - std::max(surface.gap, 0.0),
-                               start_[i] + h * surface.velocity,
-                               surface.friction});
-      obstacle_velocity_.push_back(surface.velocity);
-    }
-    if (deep_in < 2) return;
-    hold(i);
-    on_obstacles_.erase(on_obstacles_.begin() + std::ptrdiff_t(others), on_obstacles_.end());
-    obstacle_velocity_.resize(others);
-  }
-
-  /// Whether two pieces are so near that there is no room for both between solids that they lie on: these
-  /// hold each against the push of the other.
-  bool is_squeezed(const SurfaceContact& contact) const {
-    if (!(contact.gap(end_) < 0.0)) return false;
-    const auto is_held = [&](double side) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (!(side * contact.weights[k] > 0.0)) continue;
-        auto on = std::lower_bound(
-            on_obstacles_.begin(), on_obstacles_.end(), contact.particles[k],
-            [](const SurfaceContact& a, Index particle) { return a.particles[0] < particle; });
-        for (; on != on_obstacles_.end() && on->particles[0] == contact.particles[k]; ++on) {
-          if (side * contact.normal.dot(on->normal) < -0.5) return true;
-        }
-      }
-      return false;
-    };
-    return is_held(1.0) && is_held(-1.0);
-  }
-
-  /// What is so deep in several solids is pinched: colliders leave it there.
-  bool is_deep(const ObstacleSurface& surface) const { return surface.gap < -0.01 * collision_.thickness; }
-
-  void hold(Index pinched) {
-    holds_any_ = true;
-    inverse_mass_[pinched] = 0.0;
-    is_pinched_[pinched] = 1;
-  }
-
-  bool takes_pinched(const SurfaceContact& contact) const {
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (contact.weights[k] != 0.0 && is_pinched_[contact.particles[k]] != 0) return true;
-    }
-    return false;
-  }
-
-  void hold_if_pinched(Index i) {
-    std::size_t deep_in = 0;
-    for (std::size_t o = 0; o < obstacles_.size() && inverse_mass_[i] > 0.0; ++o)
-      deep_in += is_deep(obstacles_.seen_from(end_[i], o)) ? 1 : 0;
-    if (deep_in > 1) hold(i);
-  }
-
   /// The contacts that push, for velocities; and with pushes in several rounds, all that touch after them.
   void choose_touching(const std::vector<SurfaceContact>& contacts, bool again) {
     touching_.clear();
-    const std::size_t pairs = contacts.size() - obstacle_velocity_.size();
+    const std::vector<Vec3>& obstacles = obstacles_.velocities();
+    const std::size_t pairs = contacts.size() - obstacles.size();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const bool touches = again && contacts[c].gap(end_) < 1e-3 * collision_.thickness;
       if (!touches && !sweeps_.pushed(c)) continue;
       touching_.push_back(contacts[c]);
-      touching_.back().held = c < pairs ? Vec3::Zero().eval() : obstacle_velocity_[c - pairs];
+      touching_.back().held = c < pairs ? Vec3::Zero().eval() : obstacles[c - pairs];
       touching_.back().least = touching_.back().normal.dot(touching_.back().held);
     }
   }
@@ -468,7 +280,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// What crosses does not go further in.
   void add_pulls() {
     for (const SurfaceContact& pull : untangling_->pulls()) {
-      if (!takes_pinched(pull)) touching_.push_back(pull);
+      if (!masses_.takes_pinched(pull)) touching_.push_back(pull);
     }
   }
 
@@ -508,31 +320,20 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   SelfCollision collision_;
   Surface surface_;
   Places start_, end_, velocity_;
-  Places looked_;  ///< where pairs were looked for
-  double edge_;    ///< mean [m]
-  Margins margins_;
-  double margin_;  ///< of the pairs that are known
-  ClosePairs close_pairs_;
-  MotionBound<Real> bound_;
-  std::vector<double> free_mass_, inverse_mass_;
-  std::vector<unsigned char> is_pinched_;  ///< of each particle in this step
+  double edge_;  ///< mean [m]
+  ContactMasses masses_;
   std::vector<ScriptedTime> scripted_;
-  Obstacles obstacles_;
+  ObstacleContacts obstacles_;
+  LastingPairs<Real> pairs_;
   NarrowPhase narrow_phase_;
   ContactSweeps sweeps_;
   ImpactZones zones_;
   std::optional<Untangling> untangling_;
   std::vector<ClosePair> kept_apart_;
   std::vector<SurfaceContact> touching_;
-  std::vector<SurfaceContact> on_obstacles_;  ///< the last contacts, sorted by particle
-  std::vector<Vec3> obstacle_velocity_;       ///< of each of these [m/s]
   Places before_;
   std::size_t left_ = 0, crossings_ = 0;
-  const std::vector<ClosePair> no_pairs_;
-  const std::vector<ClosePair>* pairs_ = &no_pairs_;
-  bool pairs_hold_ = false, pushed_far_ = false, holds_any_ = false;
-  bool is_crowd_ = true;  ///< whether much lay on one another when pairs were found last
-  double moved_ = 0.0, nearest_ = 0.0;
+  bool pushed_far_ = false;
   Report met_with_;  ///< since it was told last
 };
 

@@ -58,22 +58,28 @@ std::size_t count_cables(const Scene& scene) {
 
 template <class Real>
 Model<Real> model_in_chosen_order(const Scene& scene, Accumulation accumulation, Executor& executor,
-                                  bool holds_like_pins) {
+                                  bool holds_like_pins, std::shared_ptr<PreparedMeshes> meshes) {
   const std::size_t count = scene.particles.size();
   const Adjacency adjacency(scene.springs, count);
-  return {scene,        adjacency, choose_order(scene.springs, adjacency, count),
-          accumulation, executor,  holds_like_pins};
+  return {scene,
+          adjacency,
+          choose_order(scene.springs, adjacency, count),
+          accumulation,
+          executor,
+          holds_like_pins,
+          std::move(meshes)};
 }
 
 }  // namespace
 
 template <class Real>
-Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& executor, bool like_pins)
-    : Model(model_in_chosen_order<Real>(scene, accumulation, executor, like_pins)) {}
+Model<Real>::Model(const Scene& scene, Accumulation accumulation, Executor& executor, bool like_pins,
+                   std::shared_ptr<PreparedMeshes> given)
+    : Model(model_in_chosen_order<Real>(scene, accumulation, executor, like_pins, std::move(given))) {}
 
 template <class Real>
 Model<Real>::Model(const Scene& scene, const Adjacency& adjacency, Order chosen, Accumulation accumulation,
-                   Executor& executor, bool like_pins)
+                   Executor& executor, bool like_pins, std::shared_ptr<PreparedMeshes> given)
     : order(std::move(chosen)),
       frames(frames_of(scene, order)),
       springs(scene.springs.size()),
@@ -83,6 +89,7 @@ Model<Real>::Model(const Scene& scene, const Adjacency& adjacency, Order chosen,
       spring_layout(lay_out_linear_springs<Real>(scene, adjacency, order, accumulation, executor)),
       moving_pins(hooke::moving_pins(scene, order)),
       holds_like_pins(like_pins),
+      meshes(std::move(given)),
       islands(islands_of(scene)) {
   if (islands != nullptr) inverse_mass_awake_ = inverse_mass;
 }

@@ -7,6 +7,7 @@
 
 #include <hooke/simulation.h>
 
+#include "collide/prepared_meshes.h"
 #include "frames/frames.h"
 #include "model/adjacency.h"
 #include "model/colouring.h"
@@ -38,14 +39,18 @@ struct Model {
   /// Whether particles that attachments hold are pins to the method: to those that solve equations. Others
   /// move them as if they were free, and are corrected.
   bool holds_like_pins = false;
+  std::shared_ptr<PreparedMeshes> meshes;  ///< of colliders; more are added when effects are compiled
   std::shared_ptr<Islands> islands;  ///< null of a scene that does not name Sleep
   AwakeBlocks awake;                 ///< those that steps work on
 
-  Model(const Scene& scene, Accumulation accumulation, Executor& executor, bool holds_like_pins = false);
+  /// With the meshes of a simulation that goes on in this one, where there is one.
+  Model(const Scene& scene, Accumulation accumulation, Executor& executor, bool holds_like_pins = false,
+        std::shared_ptr<PreparedMeshes> meshes = std::make_shared<PreparedMeshes>());
 
   /// With its particles in an order that the caller chose.
   Model(const Scene& scene, const Adjacency& adjacency, Order order, Accumulation accumulation,
-        Executor& executor, bool holds_like_pins = false);
+        Executor& executor, bool holds_like_pins = false,
+        std::shared_ptr<PreparedMeshes> meshes = std::make_shared<PreparedMeshes>());
 
   /// Of the same islands as another one, in an order of its own.
   void share_islands(const Model& other);

@@ -42,7 +42,7 @@ VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjac
                                  VertexColours colours)
     : executor_(context.executor),
       model_(context.scene, adjacency, std::move(colours.order), Accumulation::gather, context.executor,
-             context.model.holds_like_pins),
+             context.model.holds_like_pins, context.model.meshes),
       forces_(context.scene, model_),
       coupled_(model_, forces_),
       from_(model_.particles()),
