@@ -125,6 +125,7 @@ Snapshot<Real> Simulation<Real>::Parts::torn_snapshot(TornScene torn) {
   for (auto* vectors :
        {&state.positions, &state.velocities, &state.method.positions_before, &state.method.velocities_before})
     append_split(torn.split_from, *vectors);
+  state.resting.clear();  // islands are others
   state.method.velocities.clear();
   state.method.pending_kick = 0.0;
   state.method.state = hash_of_state(state);

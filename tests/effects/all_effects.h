@@ -71,6 +71,7 @@ inline std::vector<NamedEffect> one_of_each_effect() {
        ParticleContact{.radius = {0.4}, .stiffness = 50.0, .shear_stiffness = 10.0, .friction = 0.3},
        ParticleContact{.radius = {0.4}, .stiffness = 0.0}},
       {"tearing", Tearing{.strain = 0.015}, Tearing{.strain = 1e6}},
+      {"sleep", Sleep{.speed = 1e-3, .time = 0.1}, Sleep{.speed = 1e-300}},
   };
 }
 

@@ -31,6 +31,7 @@ inline PairPlaces places_of(const ClosePair& pair, const Places& places) {
 
 /// The corners, edges and triangles of a surface, in the engine's numbering.
 struct Surface {
+  Surface() = default;
   explicit Surface(std::vector<Triangle> triangles);
 
   std::vector<Triangle> triangles;

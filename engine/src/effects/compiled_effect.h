@@ -79,6 +79,10 @@ class CompiledEffect {
     if (calls_user()) disturbed.all();
   }
 
+  /// Notes who touches whom, as far as the forces of the last stage know. What corrections keep apart they
+  /// note then.
+  virtual void note_touches(Islands&) const {}
+
   /// Changes the result of a step in place, for the blocks [begin, end) and looking at these alone.
   virtual void correct_strip(const StepResult<Real>&, std::size_t /*begin*/, std::size_t /*end*/) const {}
 

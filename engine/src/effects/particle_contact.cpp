@@ -151,6 +151,13 @@ class GrainForce final : public CompiledEffect<Real> {
     });
   }
 
+  void note_touches(Islands& islands) const override {
+    for (std::size_t p = 0; p < touches_.size(); ++p) {
+      const GrainPair& pair = pairs_.pairs()[p];
+      if (touches_[p].energy > Real(0)) islands.note_touch(pair.first, pair.second);
+    }
+  }
+
   double energy(const Strip<Real>& strip) const override {
     double sum = 0.0;
     for_each_touch(strip, [&](std::size_t, const GrainTouch<Real>& touch, Real, Index) {

@@ -2,6 +2,7 @@
 #include <optional>
 #include <string>
 
+#include "collide/awake_surface.h"
 #include "collide/close_pairs.h"
 #include "collide/contact_masses.h"
 #include "collide/contact_sweeps.h"
@@ -62,7 +63,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
  public:
   SelfCollisionCorrection(const SelfCollision& collision, const EffectContext<Real>& context)
       : collision_(collision),
-        surface_(surface_of(collision, context.scene, context.model.order)),
+        awake_(surface_of(collision, context.scene, context.model.order), context.model,
+               NarrowPhase::active_distance(collision.thickness)),
+        surface_(awake_.surface()),
         start_(start_of(context.scene, context.model.order)),
         end_(start_),
         velocity_(start_),
@@ -71,19 +74,20 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
         scripted_(scripted_times(context.scene, context.model.order)),
         obstacles_(context.scene, context.model.frames.get(), *context.model.meshes, collision.thickness,
                    masses_),
-        pairs_(surface_, start_, collision.thickness, edge_, collision.swept || collision.untangle),
         narrow_phase_(collision.thickness, collision.friction, collision.swept),
         sweeps_(masses_.inverse()),
         zones_(masses_.inverse()) {
-    if (collision.untangle) untangling_.emplace(surface_, masses_.inverse(), collision.thickness);
+    if (context.model.islands != nullptr) rest_ = start_;
+    find_pairs_of(start_);
   }
 
   unsigned parts() const override { return corrects_everything; }
 
   void correct(const StepResult<Real>& result, Executor& executor) override {
+    if (awake_.choose(result)) find_pairs_of(rest_);
     update_pairs(result, executor);
     const bool is_tangled = is_anything_tangled(result, executor);
-    if (is_tangled || (pairs_.may_touch() && any_touch(result, executor)))
+    if (is_tangled || (pairs_->may_touch() && any_touch(result, executor)))
       keep_apart(result, is_tangled, executor);
     if (untangling_) count_crossings(result, executor);
   }
@@ -104,7 +108,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
             {"position", "velocity", "mass", "triangles"},
             {"position", "velocity"},
             places * sizeof(Vec3) + masses_.bytes() + kept_apart_.capacity() * sizeof(ClosePair) +
-                pairs_.bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() +
+                pairs_->bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() +
                 sweeps_.bytes() + obstacles_.bytes()};
   }
 
@@ -124,12 +128,13 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// Whether any pair touches or passes: where there are few, only their particles are looked at.
   bool any_touch(const StepResult<Real>& result, Executor& executor) {
-    if (4 * pairs_.found().size() > surface_.corners.size()) return true;
-    for (const ClosePair& pair : pairs_.found()) {
+    const std::vector<ClosePair>& pairs = pairs_kept_apart();
+    if (4 * pairs.size() > surface_.corners.size()) return true;
+    for (const ClosePair& pair : pairs) {
       for (const Index i : pair.particles) load(result, i);
     }
     let_all_go(result);
-    const bool any = !narrow_phase_.contacts_of(pairs_.found(), step_of(result, executor), executor).empty();
+    const bool any = !narrow_phase_.contacts_of(pairs, step_of(result, executor), executor).empty();
     return any || narrow_phase_.passed();
   }
 
@@ -158,22 +163,30 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   /// Those close pairs that are kept apart.
   const std::vector<ClosePair>& pairs_kept_apart() {
-    if (!untangling_ || !untangling_->is_tangled()) return pairs_.found();
+    const bool is_tangled = untangling_ && untangling_->is_tangled();
+    if (!is_tangled && !awake_.any_sleeps()) return pairs_->found();
     kept_apart_.clear();
-    for (const ClosePair& pair : pairs_.found()) {
-      if (!untangling_->are_entangled(pair)) kept_apart_.push_back(pair);
+    for (const ClosePair& pair : pairs_->found()) {
+      if (is_tangled && untangling_->are_entangled(pair)) continue;
+      if (!awake_.any_sleeps() || !awake_.sleeps(pair)) kept_apart_.push_back(pair);
     }
     return kept_apart_;
   }
 
+  /// Begins anew with the surface as it is: nothing that was known of pairs changes what comes of them.
+  void find_pairs_of(const Places& rest) {
+    pairs_.emplace(surface_, rest, collision_.thickness, edge_, collision_.swept || collision_.untangle);
+    if (collision_.untangle) untangling_.emplace(surface_, masses_.inverse(), collision_.thickness);
+  }
+
   /// Pairs are found anew where particles have moved too far since.
   void update_pairs(const StepResult<Real>& result, Executor& executor) {
-    if (pairs_.hold_in(result, executor)) return;
+    if (pairs_->hold_in(result, executor)) return;
     load(result, executor);
-    if (!pairs_.find(result, start_, end_, executor) || !untangling_) return;
-    const ClosePairs& boxes = pairs_.boxes();
-    untangling_->crossings().look(boxes.edge_boxes(), boxes.triangle_boxes(), pairs_.looked_at(),
-                                  pairs_.margin(), executor);
+    if (!pairs_->find(result, start_, end_, executor) || !untangling_) return;
+    const ClosePairs& boxes = pairs_->boxes();
+    untangling_->crossings().look(boxes.edge_boxes(), boxes.triangle_boxes(), pairs_->looked_at(),
+                                  pairs_->margin(), executor);
   }
 
   template <class Visit>
@@ -218,7 +231,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   NarrowPhase::Step step_of(const StepResult<Real>& result, Executor& executor) const {
-    return {start_, end_, masses_.inverse(), pairs_.moved(), pairs_.motion_in(result, executor)};
+    return {start_, end_, masses_.inverse(), pairs_->moved(), pairs_->motion_in(result, executor)};
   }
 
   /// Moves apart what is too near, until that moves nothing so far that more may come near; then changes
@@ -234,6 +247,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       pushed_far_ = pushed_far_ || narrow_phase_.passed();
       if (contacts.empty()) break;
       touches = true;
+      for (const SurfaceContact& contact : contacts) awake_.note_touch(contact.particles);
       pushed_far_ = push(contacts, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
       choose_touching(contacts, round > 0);
       if (!pushed_far_) break;
@@ -307,7 +321,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       const auto& pairs = narrow_phase_.crossing(pairs_kept_apart(), step_of(result, executor), executor);
       crossing = pairs.size();
       if (crossing == 0) break;
-      for (const ClosePair& pair : pairs) zones_.join(pair.particles);
+      for (const ClosePair& pair : pairs) {
+        zones_.join(pair.particles);
+        awake_.note_touch(pair.particles);
+      }
       zones_.move(start_, end_, velocity_);
     }
     const std::uint64_t particles = zones_.particles().size();
@@ -318,13 +335,15 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   SelfCollision collision_;
-  Surface surface_;
+  AwakeSurface<Real> awake_;
+  const Surface& surface_;  ///< of which something may touch
   Places start_, end_, velocity_;
+  Places rest_;  ///< at the start of the scene, where islands may sleep
   double edge_;  ///< mean [m]
   ContactMasses masses_;
   std::vector<ScriptedTime> scripted_;
   ObstacleContacts obstacles_;
-  LastingPairs<Real> pairs_;
+  std::optional<LastingPairs<Real>> pairs_;
   NarrowPhase narrow_phase_;
   ContactSweeps sweeps_;
   ImpactZones zones_;
