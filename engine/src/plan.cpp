@@ -25,9 +25,11 @@ template <class Real>
 Sweep<Real> correction_sweep(Forces<Real>& forces, const Scheme<Real>& scheme) {
   const auto run = [&forces, &scheme](const Substep<Real>& substep, Executor& executor) {
     substep.next.memory = substep.start.memory;
-    substep.next.pairs = substep.start.pairs;
-    if (substep.stage + 1 == scheme.stages())
+    if (substep.stage + 1 == scheme.stages()) {
       forces.effects().correct(result_of(substep, scheme.last_kick()), executor);
+    } else {
+      substep.next.pairs = substep.start.pairs;  // a result gets its own from corrections
+    }
   };
   return {"corrections", forces.effects().correction_stages(), run, {}};
 }

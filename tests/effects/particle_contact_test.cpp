@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
 #include <string>
@@ -223,6 +225,31 @@ TEST_CASE("a heap has the same bits on any number of threads, and goes on with t
   REQUIRE(one.step(50).ok());
   REQUIRE(again.step(50).ok());
   CHECK(one.state_hash() == again.state_hash());
+}
+
+TEST_CASE("a heap that is changed between steps goes on like one that begins there") {
+  Simulation<double> steps(heap(), {.step = 1e-3});
+  REQUIRE(steps.step(149).ok());
+  const Snapshot<double> before = steps.snapshot();
+  REQUIRE(steps.step().ok());
+  const Snapshot<double> whole = steps.snapshot();
+  Snapshot<double> forgets = whole, moves = whole, flies = whole;
+  forgets.pairs[0].clear();
+  moves.positions[3] += 1e-4;
+  flies.velocities[4] += 1e-2;
+  std::vector<std::uint64_t> hashes;
+  for (const Snapshot<double>& changed : {whole, forgets, moves, flies}) {
+    Simulation<double> begins(heap(), {.step = 1e-3});
+    begins.restore(changed);
+    steps.restore(before);
+    REQUIRE(steps.step().ok());
+    steps.restore(changed);
+    REQUIRE(steps.step(10).ok());
+    REQUIRE(begins.step(10).ok());
+    CHECK(steps.state_hash() == begins.state_hash());
+    CHECK(std::ranges::count(hashes, steps.state_hash()) == 0);
+    hashes.push_back(steps.state_hash());
+  }
 }
 
 TEST_CASE("a snapshot with pairs that cannot be is refused") {

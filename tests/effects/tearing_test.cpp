@@ -1,53 +1,21 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <ctime>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include <hooke/hooke.h>
 
-#include "collide/local_shape.h"
-#include "effects/solid_meshes.h"
+#include "effects/tearing_scenes.h"
 #include "scenes.h"
 
 using namespace hooke;
+using namespace hooke::test;
 
 namespace {
-
-/// Which particles hang together: the lowest of each piece.
-class Pieces {
- public:
-  explicit Pieces(std::size_t particles) : lowest_(particles) {
-    std::iota(lowest_.begin(), lowest_.end(), 0u);
-  }
-
-  void join(Index a, Index b) {
-    const auto [low, high] = std::minmax({of(a), of(b)});
-    lowest_[high] = low;
-  }
-  Index of(Index particle) const {
-    while (lowest_[particle] != particle) particle = lowest_[particle];
-    return particle;
-  }
-  std::size_t count() const {
-    std::size_t found = 0;
-    for (Index i = 0; i < lowest_.size(); ++i) found += lowest_[i] == i ? 1 : 0;
-    return found;
-  }
-
- private:
-  std::vector<Index> lowest_;
-};
-
-Pieces pieces_by_triangles(const Scene& scene) {
-  Pieces pieces(scene.particles.size());
-  for (const auto& [a, b, c] : scene.triangles) {
-    pieces.join(a, b);
-    pieces.join(b, c);
-  }
-  return pieces;
-}
 
 Pieces pieces_by_springs(const Scene& scene) {
   Pieces pieces(scene.particles.size());
@@ -67,10 +35,6 @@ double area_of(const Scene& scene) {
   return area;
 }
 
-std::vector<Keyframe> pull(const Vec3& way, double seconds) {
-  return {{0.0, Vec3::Zero()}, {seconds, way}};
-}
-
 /// A rope along x between two pins, one of which goes away at 0.5 m/s. The spring behind a particle is weak.
 Scene pulled_rope(Index weak, double bend = 0.0) {
   Scene scene;
@@ -85,42 +49,6 @@ Scene pulled_rope(Index weak, double bend = 0.0) {
   return scene;
 }
 
-struct PulledCloth {
-  Scene scene;
-  GridParticles grid;
-};
-
-/// A cloth whose left and right borders are pinned and pulled apart along x. The springs over its middle are
-/// weak in its first rows, so that it begins to tear there.
-PulledCloth pulled_cloth(Index size = 10) {
-  PulledCloth cloth;
-  cloth.grid = add(cloth.scene, ClothGrid{.columns = size, .rows = size, .spacing = 0.1, .damping = 0.05});
-  for (Index row = 0; row < size; ++row) {
-    cloth.scene.pin(cloth.grid.at(0, row));
-    cloth.scene.pin(cloth.grid.at(size - 1, row), pull({1, 0, 0}, 1.0));
-  }
-  Springs& springs = cloth.scene.springs;
-  const Index middle = size / 2;
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    const Index a = springs.first[s], b = springs.second[s];
-    const bool over_line = (a % size < middle) != (b % size < middle);
-    if (over_line && a / size < size / 3 && b / size < size / 3) springs.stiffness[s] *= 0.3;
-  }
-  cloth.scene.effects = {Tearing{.strain = 0.3}};
-  return cloth;
-}
-
-/// Takes steps until the cloth is in pieces by its triangles; false where it does not come to that.
-template <class Real>
-bool tear_apart(Simulation<Real>& simulation, std::uint64_t most_steps) {
-  for (std::uint64_t i = 0; i < most_steps; ++i) {
-    if (!simulation.step().ok()) return false;
-    const auto torn = simulation.snapshot().torn;
-    if (torn && pieces_by_triangles(*torn).count() > 1) return true;
-  }
-  return false;
-}
-
 /// No spring joins two pieces of the triangles.
 void check_no_bridges(const Scene& scene) {
   const Pieces pieces = pieces_by_triangles(scene);
@@ -128,15 +56,6 @@ void check_no_bridges(const Scene& scene) {
   for (std::size_t s = 0; s < scene.springs.size(); ++s)
     bridges += pieces.of(scene.springs.first[s]) != pieces.of(scene.springs.second[s]) ? 1 : 0;
   CHECK(bridges == 0);
-}
-
-template <class Real>
-void check_same_state(const Simulation<Real>& a, const Simulation<Real>& b) {
-  CHECK(a.particle_count() == b.particle_count());
-  CHECK(a.spring_count() == b.spring_count());
-  CHECK(std::ranges::equal(a.triangles(), b.triangles()));
-  CHECK(a.state_hash() == b.state_hash());
-  CHECK(a.energy().total() == b.energy().total());
 }
 
 std::string fault_of(const Scene& scene) {
@@ -228,70 +147,6 @@ TEST_CASE("tearing: a cloth that is pulled apart comes to two pieces that no spr
   check_no_bridges(*simulation.snapshot().torn);
 }
 
-TEST_CASE("tearing: the same bits on any number of threads, gathered and coloured") {
-  const Scene scene = pulled_cloth().scene;
-  for (const Accumulation accumulation : {Accumulation::gather, Accumulation::coloured}) {
-    Simulation<float> one(scene, {.step = 5e-3, .accumulation = accumulation, .threads = 1});
-    REQUIRE(one.step(120).particles_split > 0);
-    for (const unsigned threads : {2u, 4u}) {
-      Simulation<float> more(scene, {.step = 5e-3, .accumulation = accumulation, .threads = threads});
-      REQUIRE(more.step(120).ok());
-      check_same_state(one, more);
-    }
-  }
-}
-
-TEST_CASE("tearing: by every method, and snapshots from before and after tears go on with the same bits") {
-  const Scene scene = pulled_cloth(7).scene;
-  for (const Method& method : all_methods) {
-    CAPTURE(to_string(method));
-    const Settings settings{.method = method, .step = 5e-3};
-    Simulation<double> whole(scene, settings), restored(scene, settings), torn(scene, settings);
-    const Snapshot<double> start = whole.snapshot();
-    CHECK_FALSE(start.torn);
-    Report report;
-    while (report.particles_split == 0 && whole.steps() < 200) report = whole.step();
-    REQUIRE(report.particles_split > 0);
-    const Snapshot<double> middle = whole.snapshot();
-    REQUIRE(middle.torn);
-    REQUIRE(whole.step(15).ok());
-    CHECK(whole.particle_count() > middle.positions.size() / 3);
-    restored.restore(middle);
-    REQUIRE(restored.step(15).ok());
-    check_same_state(whole, restored);
-    restored.restore(start);
-    CHECK(restored.particle_count() == scene.particles.size());
-    REQUIRE(restored.step(middle.step).ok());
-    CHECK(restored.snapshot().positions == middle.positions);
-    torn.restore(whole.snapshot());
-    check_same_state(whole, torn);
-    restored.restore(middle);
-    CHECK(restored.snapshot().relaxing == middle.relaxing);
-    CHECK(restored.origin(Index(scene.particles.size())) == middle.torn_from[0]);
-  }
-}
-
-TEST_CASE("tearing: a scene that does not tear has the same bits as one that cannot") {
-  for (const Method& method : {Method(SymplecticEuler{}), Method(Verlet{}), Method(Bdf2{})}) {
-    CAPTURE(to_string(method));
-    Scene with = test::hung_cloth(12, 9), without = with;
-    with.effects.push_back(Tearing{.strain = 100.0, .force = 1e9});
-    const Settings settings{.method = method, .step = 1e-2};
-    Simulation<float> a(with, settings), b(without, settings);
-    const Report torn = a.step(50), whole = b.step(50);
-    REQUIRE(torn.ok());
-    CHECK(torn.steps_taken == 50);
-    CHECK(torn.force_evaluations == whole.force_evaluations);
-    CHECK(torn.step == whole.step);
-    CHECK(a.state_hash() == b.state_hash());
-    CHECK(a.snapshot().torn == nullptr);
-    CHECK(b.triangles().empty());
-    CHECK(b.origin(3) == 3);
-    // Nothing of it is in a plan that does not name it.
-    CHECK(a.plan().stages.size() == b.plan().stages.size() + 1);
-  }
-}
-
 TEST_CASE("tearing: by force, and only the springs that are named") {
   for (const bool named : {true, false}) {
     Scene scene = pulled_rope(7);
@@ -321,9 +176,9 @@ TEST_CASE("tearing: a spring with nothing to be split at its ends is gone, and i
   CHECK(hung.spring_count() == 0);
   CHECK(hung.particle_count() == 2);
   // It falls freely from then on.
-  const Vec3 before = test::velocity(hung, 1);
+  const Vec3 before = velocity(hung, 1);
   REQUIRE(hung.step(10).ok());
-  CHECK(test::velocity(hung, 1).y() - before.y() == doctest::Approx(-0.981).epsilon(1e-12));
+  CHECK(velocity(hung, 1).y() - before.y() == doctest::Approx(-0.981).epsilon(1e-12));
 }
 
 TEST_CASE("tearing: a triangle keeps its edges however they are strained") {
@@ -404,85 +259,6 @@ TEST_CASE("tearing: the lists of effects go with what they name") {
   }
   REQUIRE(simulation.step(100).ok());
   check_no_bridges(*simulation.snapshot().torn);
-}
-
-TEST_CASE("tearing: new particles are like others to who asks from outside") {
-  Simulation<float> cloth(pulled_cloth().scene, {.step = 5e-3});
-  while (cloth.step().particles_split == 0) REQUIRE(cloth.steps() < 200);
-  const Index added = Index(cloth.particle_count() - 1);
-  std::vector<float> before(3 * cloth.particle_count()), now = before;
-  cloth.copy_positions(before.data(), 3 * sizeof(float), 0.0);
-  cloth.copy_positions(now.data(), 3 * sizeof(float), 1.0);
-  CHECK(before != now);
-  for (std::size_t k = 0; k < 3; ++k) CHECK(before[3 * added + k] == before[3 * cloth.origin(added) + k]);
-  const Vec3 speed = test::velocity(cloth, added);
-  cloth.apply_impulse(added, {0, 0, 0.01});
-  CHECK(test::velocity(cloth, added).z() > speed.z());
-  CHECK_NOTHROW(cloth.stability());
-  REQUIRE(cloth.step(20).ok());
-  // Nothing is left between a tear and who restores one that is none.
-  Snapshot<float> wrong = cloth.snapshot();
-  wrong.torn_from.pop_back();
-  const std::uint64_t hash = cloth.state_hash();
-  CHECK_THROWS_AS(cloth.restore(wrong), std::invalid_argument);
-  wrong = cloth.snapshot();
-  wrong.torn_from[0] = 1000;
-  CHECK_THROWS_AS(cloth.restore(wrong), std::invalid_argument);
-  wrong = cloth.snapshot();
-  wrong.relaxing = {{100000, 1.0}};
-  CHECK_THROWS_AS(cloth.restore(wrong), std::invalid_argument);
-  wrong = cloth.snapshot();
-  auto broken = std::make_shared<Scene>(*wrong.torn);
-  broken->springs.first[0] = 5000;
-  wrong.torn = broken;
-  CHECK_THROWS_AS(cloth.restore(wrong), std::invalid_argument);
-  wrong = cloth.snapshot();
-  wrong.positions.pop_back();
-  CHECK_THROWS_AS(cloth.restore(wrong), std::invalid_argument);
-  CHECK(cloth.state_hash() == hash);
-  Scene whole = pulled_cloth().scene;
-  whole.effects = {};
-  Simulation<float> other(whole, {.step = 5e-3});
-  CHECK_THROWS_AS(other.restore(cloth.snapshot()), std::invalid_argument);
-}
-
-TEST_CASE("tearing: a run whose steps are not to be divided goes on where lighter particles need it") {
-  const Scene scene = pulled_cloth().scene;
-  const double longest = largest_stable_step(scene, SymplecticEuler{});
-  const Settings settings{.step = 0.99 * longest, .unstable_step = UnstableStep::refuse};
-  Simulation<double> simulation(scene, settings);
-  const Snapshot<double> start = simulation.snapshot();
-  REQUIRE(tear_apart(simulation, 2000));
-  CHECK(simulation.settings().unstable_step == UnstableStep::divide);
-  simulation.restore(start);
-  CHECK(simulation.settings().unstable_step == UnstableStep::refuse);
-}
-
-TEST_CASE("tearing: a mesh is prepared once for what has the same reach, and seen by each apart") {
-  using Shape = LookedUpShape<MeshDistance<float>>;
-  const ColliderShape mesh = test::box_mesh({0.5, 0.3, 0.7});
-  PreparedMeshes meshes, others;
-  const auto shape = [&](double reach, PreparedMeshes& from) {
-    return std::get<Shape>(local_shape<float>(mesh, reach, 1, from));
-  };
-  const Shape first = shape(0.1, meshes), second = shape(0.1, meshes);
-  CHECK(first.distances == second.distances);
-  CHECK(first.seen != second.seen);
-  CHECK(first.distances != shape(0.2, meshes).distances);
-  CHECK(first.distances != shape(0.1, others).distances);
-  CHECK(meshes.size() == 2);
-}
-
-TEST_CASE("tearing: the torn scene goes on with the meshes that were prepared for the whole one") {
-  PulledCloth cloth = pulled_cloth(4);
-  MeshShape mesh = test::bumpy_mesh(3);
-  for (Vec3& vertex : mesh.vertices) vertex.y() -= 5.0;
-  cloth.scene.effects.push_back(Collider{.shape = mesh, .thickness = 0.01});
-  const std::clock_t begun = std::clock();
-  Simulation<float> simulation(cloth.scene, {.step = 5e-3, .threads = 1});
-  const std::clock_t made = std::clock();
-  REQUIRE(tear_apart(simulation, 200));
-  CHECK(double(std::clock() - made) < 0.5 * double(made - begun));
 }
 
 TEST_CASE("tearing: values that make no sense are refused with a reason") {

@@ -184,6 +184,24 @@ TEST_CASE("who wants only to be told is, and the run goes on until a value is no
   CHECK((last.flags & flag_not_finite) != 0);
 }
 
+TEST_CASE_TEMPLATE("velocities of the last good state are finite, however large the forces there", Real,
+                   float, double) {
+  Scene scene;
+  scene.add_particle(1.0, Vec3::Zero());
+  scene.add_particle(1.0, {1.1, 0.2, 0.0});
+  scene.add_spring(0, 1, 1e4, 1.0);
+  const Settings settings{
+      .method = Verlet{}, .step = 1.0, .unstable_step = UnstableStep::take, .on_trouble = OnTrouble::ignore};
+  Simulation<Real> simulation(scene, settings);
+  REQUIRE((simulation.step(1000).flags & flag_not_finite) != 0);
+  CHECK(simulation.steps() > 0);
+  for (Index i = 0; i < 2; ++i) {
+    CHECK(velocity(simulation, i).allFinite());
+    CHECK(velocity(simulation, i).norm() > 0.0);
+  }
+  CHECK_NOTHROW(simulation.restore(simulation.snapshot()));
+}
+
 TEST_CASE("a callback decides, and is told what happened") {
   int asked = 0;
   Settings settings = watched(OnTrouble::ignore);

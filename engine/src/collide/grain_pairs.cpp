@@ -17,14 +17,14 @@ constexpr double margin_of_radius = 0.3;
 /// What is so many margins away counts as far.
 constexpr double far_margins = 16.0;
 
+}  // namespace
+
 std::vector<Index> sorted_places(const std::vector<Grain>& grains) {
   std::vector<Index> places;
   for (const Grain& grain : grains) places.push_back(grain.place);
   std::sort(places.begin(), places.end());
   return places;
 }
-
-}  // namespace
 
 template <class Real>
 GrainPairs<Real>::GrainPairs(std::vector<Grain> grains, std::size_t particles,

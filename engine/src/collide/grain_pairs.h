@@ -19,6 +19,8 @@ struct Grain {
   double radius;   ///< [m]
 };
 
+std::vector<Index> sorted_places(const std::vector<Grain>& grains);
+
 /// Two grains that may touch.
 struct GrainPair {
   Index first, second;              ///< of the user's numbering, first < second

@@ -118,7 +118,8 @@ class CompiledEffect {
   virtual std::size_t memory_size() const { return 0; }
   virtual void begin_memory(std::size_t /*first*/, std::span<Real> /*own*/) {}
 
-  /// It keeps pairs in this list of State::pairs, which are none at the start.
+  /// It keeps pairs in this list of State::pairs, which are none at the start. correct() makes those of a
+  /// result from those of the step's start.
   virtual void begin_pairs(std::size_t /*list*/) {}
 
   /// Its name, what it reads, writes and the bytes it holds.

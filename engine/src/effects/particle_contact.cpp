@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <span>
 #include <string>
 
 #include "collide/grain_pairs.h"
 #include "effects/effect_functions.h"
 #include "effects/named_particles.h"
+#include "effects/remembered_motion.h"
 #include "kernels/flush_subnormals.h"
 
 namespace hooke {
@@ -15,6 +18,22 @@ constexpr std::size_t pairs_in_run = 512;
 
 template <class Real>
 using Vector = Eigen::Matrix<Real, 3, 1>;
+
+/// Two grains that touch: how far apart and how fast the first one is from the second one, and how far apart
+/// they were where they have slid from.
+template <class Real>
+struct Meeting {
+  Vector<Real> apart, velocity, anchor;
+  Real reach;  ///< the sum of their radii [m]
+};
+
+/// How they press on each other.
+template <class Real>
+struct GrainPress {
+  Vector<Real> normal;  ///< from the second to the first
+  Real push;            ///< [N]
+  Real energy;          ///< [J] of the spring between them
+};
 
 /// What two grains that touch do to each other.
 template <class Real>
@@ -36,34 +55,34 @@ struct GrainLaw {
     return value - value.dot(normal) * normal;
   }
 
-  /// Of two that are nearer than `reach`. `apart` and `velocity` are the first one's less the second one's;
-  /// they have slid since they were `anchor` apart.
-  GrainTouch<Real> touch(const Vector<Real>& apart, const Vector<Real>& velocity, Real reach,
-                         const Vector<Real>& anchor) const {
-    GrainTouch<Real> touch;
-    const Real distance = apart.norm(), depth = reach - distance;
+  GrainPress<Real> press(const Meeting<Real>& meeting) const {
+    const Real distance = meeting.apart.norm(), depth = meeting.reach - distance;
     // Two at one place have no direction: along an axis, so that they part at all.
-    touch.normal = distance > Real(0) ? Vector<Real>(apart / distance) : Vector<Real>::UnitX();
-    const Real push = stiffness * depth - damping * velocity.dot(touch.normal);
-    touch.force = push * touch.normal;
-    touch.energy = Real(0.5) * stiffness * depth * depth;
+    const Vector<Real> normal =
+        distance > Real(0) ? Vector<Real>(meeting.apart / distance) : Vector<Real>::UnitX();
+    return {normal, stiffness * depth - damping * meeting.velocity.dot(normal),
+            Real(0.5) * stiffness * depth * depth};
+  }
+
+  /// What friction makes of it.
+  GrainTouch<Real> touch(const GrainPress<Real>& press, const Meeting<Real>& meeting) const {
+    const Vector<Real>& normal = press.normal;
+    GrainTouch<Real> touch{normal, press.push * normal, Real(0), press.energy};
     if (friction == Real(0)) return touch;
-    const Vector<Real> way = across(apart - anchor, touch.normal);
-    const Vector<Real> holding = shear_stiffness * way + shear_damping * across(velocity, touch.normal);
-    const Real size = holding.norm(), most = friction * std::max(push, Real(0));
+    const Vector<Real> way = across(meeting.apart - meeting.anchor, normal);
+    const Vector<Real> holding = shear_stiffness * way + shear_damping * across(meeting.velocity, normal);
+    const Real size = holding.norm(), most = friction * std::max(press.push, Real(0));
     touch.held = size <= most ? Real(1) : most / size;
     touch.force -= touch.held * holding;
     touch.energy += Real(0.5) * shear_stiffness * way.squaredNorm();
     return touch;
   }
 
-  /// What `anchor` is from now on: so much nearer that what slides is held by no more than friction.
-  Vector<Real> anchor_after(const GrainTouch<Real>& touch, const Vector<Real>& apart,
-                            const Vector<Real>& velocity, const Vector<Real>& anchor) const {
-    if (touch.sticks()) return anchor;
-    const Vector<Real> way = across(apart - anchor, touch.normal);
-    const Vector<Real> drag = shear_damping * across(velocity, touch.normal);
-    return apart - (touch.held * (shear_stiffness * way + drag) - drag) / shear_stiffness;
+  /// The anchor from now on of what slides: so much nearer that it is held by no more than friction.
+  Vector<Real> slid_anchor(const GrainTouch<Real>& touch, const Meeting<Real>& meeting) const {
+    const Vector<Real> way = across(meeting.apart - meeting.anchor, touch.normal);
+    const Vector<Real> drag = shear_damping * across(meeting.velocity, touch.normal);
+    return meeting.apart - (touch.held * (shear_stiffness * way + drag) - drag) / shear_stiffness;
   }
 };
 
@@ -100,7 +119,8 @@ class GrainForce final : public CompiledEffect<Real> {
       : law_{Real(contact.stiffness), Real(contact.damping), Real(contact.shear_stiffness),
              Real(contact.shear_damping), Real(contact.friction)},
         pairs_(grains_of(contact, context.scene, context.model.order), context.scene.particles.size(),
-               joined_pairs(context.scene.springs)) {}
+               joined_pairs(context.scene.springs)),
+        touched_(sorted_places(grains_of(contact, context.scene, context.model.order))) {}
 
   unsigned parts() const override {
     const unsigned force = has_force | needs_preparation | is_coupled | has_own_derivative;
@@ -108,11 +128,13 @@ class GrainForce final : public CompiledEffect<Real> {
   }
 
   void prepare(const State<Real>& state, double, Executor& executor) override {
+    if (touched_.is_of(state) && are_kept(memory_in(state))) return;
+    touched_.forget();
     pairs_.find(state, executor);
-    touches_.resize(pairs_.pairs().size());
-    for_each_pair(state, executor, [&](std::size_t p, const GrainPair&, const Meeting& meeting) {
-      touches_[p] = meeting.touch;
-    });
+    for_each_meeting(state, memory_in(state), executor,
+                     [&](std::size_t p, const GrainPair&, const Meeting<Real>& meeting) {
+                       touches_[p] = law_.touch(law_.press(meeting), meeting);
+                     });
   }
 
   void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
@@ -168,20 +190,20 @@ class GrainForce final : public CompiledEffect<Real> {
 
   void begin_pairs(std::size_t list) override { list_ = list; }
 
-  /// Remembers the anchors of all that touch.
+  /// Remembers the anchors of all that touch, and how they touch with these: what the next step begins with,
+  /// where nothing else changes this one's result.
   void correct(const StepResult<Real>& result, Executor& executor) override {
+    touched_.forget();
     pairs_.find(result.next, executor);
-    runs_.resize((pairs_.pairs().size() + pairs_in_run - 1) / pairs_in_run);
-    for (auto& run : runs_) run.clear();
-    for_each_pair(result.next, executor, [&](std::size_t p, const GrainPair& pair, const Meeting& meeting) {
-      if (!meeting.touches) return;
-      const Vector<Real> anchor =
-          law_.anchor_after(meeting.touch, meeting.apart, meeting.velocity, meeting.anchor);
-      runs_[p / pairs_in_run].push_back({pair.first, pair.second, {anchor.x(), anchor.y(), anchor.z()}});
-    });
-    std::vector<PairMemory<Real>>& kept = result.next.pairs[list_];
-    kept.clear();
-    for (const auto& run : runs_) kept.insert(kept.end(), run.begin(), run.end());
+    kept_.resize((pairs_.pairs().size() + pairs_in_run - 1) / pairs_in_run);
+    for (auto& run : kept_) run.clear();
+    for_each_meeting(
+        result.next, memory_in(result.start), executor,
+        [&](std::size_t p, const GrainPair& pair, Meeting<Real>& meeting) { keep(p, pair, meeting); });
+    std::vector<PairMemory<Real>>& memory = result.next.pairs[list_];
+    memory.clear();
+    for (const auto& run : kept_) memory.insert(memory.end(), run.begin(), run.end());
+    touched_.remember(result.next);
   }
 
   Stage stage() const override {
@@ -197,16 +219,10 @@ class GrainForce final : public CompiledEffect<Real> {
             {},
             {"position", "velocity", "slid way"},
             {"touching grains"},
-            pairs_.bytes() + touches_.capacity() * sizeof(GrainTouch<Real>)};
+            pairs_.bytes() + touched_.bytes() + touches_.capacity() * sizeof(GrainTouch<Real>)};
   }
 
  private:
-  /// Two grains in a state.
-  struct Meeting {
-    Vector<Real> apart, velocity, anchor;
-    bool touches;
-    GrainTouch<Real> touch;
-  };
   struct Stiffness {
     Real along, across;
   };
@@ -219,47 +235,70 @@ class GrainForce final : public CompiledEffect<Real> {
     return {along, touch.sticks() ? across : Real(0)};
   }
 
-  /// Calls visit(number, pair, meeting) for each pair found last, on several threads.
+  /// What is remembered in a state, sorted like pairs.
+  using Memory = std::span<const PairMemory<Real>>;
+  Memory memory_in(const State<Real>& state) const { return anchors() ? state.pairs[list_] : Memory{}; }
+
+  /// Remembers the anchor of a pair from now on, and how it touches with that.
+  void keep(std::size_t p, const GrainPair& pair, Meeting<Real>& meeting) {
+    const GrainPress<Real> press = law_.press(meeting);
+    touches_[p] = law_.touch(press, meeting);
+    if (!touches_[p].sticks()) {
+      meeting.anchor = law_.slid_anchor(touches_[p], meeting);
+      touches_[p] = law_.touch(press, meeting);
+    }
+    const Vector<Real>& anchor = meeting.anchor;
+    kept_[p / pairs_in_run].push_back({pair.first, pair.second, {anchor.x(), anchor.y(), anchor.z()}});
+  }
+
+  /// Whether this is what was kept last, bit for bit.
+  bool are_kept(Memory memory) const {
+    for (const auto& run : kept_) {
+      if (run.size() > memory.size()) return false;
+      if (!run.empty() && std::memcmp(run.data(), memory.data(), run.size() * sizeof(run[0])) != 0)
+        return false;
+      memory = memory.subspan(run.size());
+    }
+    return memory.empty();
+  }
+
+  /// Calls visit(number, pair, meeting) for each pair found last that touches, on several threads; the others
+  /// do nothing to each other.
   template <class Visit>
-  void for_each_pair(const State<Real>& state, Executor& executor, const Visit& visit) const {
+  void for_each_meeting(const State<Real>& state, Memory memory, Executor& executor, const Visit& visit) {
     const std::span<const GrainPair> pairs = pairs_.pairs();
+    touches_.resize(pairs.size());
     executor.parallel_for(
         (pairs.size() + pairs_in_run - 1) / pairs_in_run, 1, [&](std::size_t begin, std::size_t end) {
           const FlushSubnormals flush;
-          std::size_t known = memory_from(state, pairs[begin * pairs_in_run]);
-          for (std::size_t p = begin * pairs_in_run; p < std::min(pairs.size(), end * pairs_in_run); ++p)
-            visit(p, pairs[p], meeting_of(pairs[p], state, known));
+          Memory left = memory_from(memory, pairs[begin * pairs_in_run]);
+          for (std::size_t p = begin * pairs_in_run; p < std::min(pairs.size(), end * pairs_in_run); ++p) {
+            const GrainPair& pair = pairs[p];
+            const Vector<Real> apart = state.position(pair.first_place) - state.position(pair.second_place);
+            const Real reach = Real(pair.reach);
+            if (apart.squaredNorm() < reach * reach) {
+              Meeting<Real> meeting = meeting_of(pair, apart, state, left);
+              visit(p, pair, meeting);
+            } else {
+              touches_[p] = {};
+            }
+          }
         });
   }
 
-  /// `known` goes along the memory, which is sorted like the pairs.
-  Meeting meeting_of(const GrainPair& pair, const State<Real>& state, std::size_t& known) const {
-    Meeting meeting;
-    meeting.apart = state.position(pair.first_place) - state.position(pair.second_place);
-    const Real reach = Real(pair.reach);
-    meeting.touches = meeting.apart.squaredNorm() < reach * reach;
-    if (!meeting.touches) return meeting;
-    meeting.velocity = state.velocity(pair.first_place) - state.velocity(pair.second_place);
-    const PairMemory<Real>* const memory = memory_of(pair, state, known);
-    meeting.anchor = memory == nullptr ? meeting.apart : Eigen::Map<const Vector<Real>>(memory->value.data());
-    meeting.touch = law_.touch(meeting.apart, meeting.velocity, reach, meeting.anchor);
-    return meeting;
+  /// `left` of the memory goes along with the pairs. Without one they have just met.
+  static Meeting<Real> meeting_of(const GrainPair& pair, const Vector<Real>& apart, const State<Real>& state,
+                                  Memory& left) {
+    while (!left.empty() && PairOrder{}(left.front(), pair)) left = left.subspan(1);
+    const bool known =
+        !left.empty() && left.front().first == pair.first && left.front().second == pair.second;
+    return {apart, state.velocity(pair.first_place) - state.velocity(pair.second_place),
+            known ? Vector<Real>(left.front().value.data()) : apart, Real(pair.reach)};
   }
 
-  std::size_t memory_from(const State<Real>& state, const GrainPair& pair) const {
-    if (!anchors()) return 0;
-    const auto& memory = state.pairs[list_];
-    return std::size_t(std::lower_bound(memory.begin(), memory.end(), pair, PairOrder{}) - memory.begin());
-  }
-
-  const PairMemory<Real>* memory_of(const GrainPair& pair, const State<Real>& state,
-                                    std::size_t& known) const {
-    if (!anchors()) return nullptr;
-    const auto& memory = state.pairs[list_];
-    while (known < memory.size() && PairOrder{}(memory[known], pair)) ++known;
-    const bool found =
-        known < memory.size() && memory[known].first == pair.first && memory[known].second == pair.second;
-    return found ? &memory[known] : nullptr;
+  static Memory memory_from(Memory memory, const GrainPair& pair) {
+    const auto first = std::lower_bound(memory.begin(), memory.end(), pair, PairOrder{});
+    return memory.subspan(std::size_t(first - memory.begin()));
   }
 
   /// Calls visit(lane, touch, sign, other) for what presses on each particle of a strip.
@@ -278,9 +317,10 @@ class GrainForce final : public CompiledEffect<Real> {
 
   GrainLaw<Real> law_;
   GrainPairs<Real> pairs_;
-  std::vector<GrainTouch<Real>> touches_;
-  std::vector<std::vector<PairMemory<Real>>> runs_;
-  std::size_t list_ = 0;  ///< in State::pairs
+  std::vector<GrainTouch<Real>> touches_;            ///< of each pair
+  RememberedMotion<Real> touched_;                   ///< what these are of, where correct() found them
+  std::vector<std::vector<PairMemory<Real>>> kept_;  ///< likewise; run by run
+  std::size_t list_ = 0;                             ///< in State::pairs
 };
 
 }  // namespace

@@ -9,7 +9,9 @@ template <class Real>
 void finish_kick(const Accelerations<Real>& accelerations, const Model<Real>& model, State<Real>& state) {
   const Real kick = Real(state.pending_kick);
   for (std::size_t i = 0; i < state.size(); ++i) {
-    if (!model.pinned(i)) state.set_velocity(i, state.velocity(i) + kick * accelerations.vector(0, i));
+    if (model.pinned(i)) continue;
+    const Eigen::Matrix<Real, 3, 1> velocity = state.velocity(i) + kick * accelerations.vector(0, i);
+    if (velocity.allFinite()) state.set_velocity(i, velocity);
   }
   state.pending_kick = 0.0;
 }

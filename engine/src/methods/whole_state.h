@@ -11,6 +11,9 @@ namespace hooke {
 
 /// The newest state as a user sees it: with whole velocities, where the method leaves a kick of them pending.
 /// It is made when it is asked for, with one evaluation of forces, and kept until the next step.
+///
+/// Of a run that has exploded the last good state may have forces that are beyond all numbers: particles
+/// whose velocities would not be finite with the kick keep those without it, which the run had.
 template <class Real>
 class WholeState {
  public:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -69,6 +70,9 @@ class Fabric {
   std::vector<Index> across(const Cut& cut) const;
   std::vector<Index> straight_through(const Cut& cut) const;
 
+  static bool contains(const std::vector<Index>& list, Index one) {
+    return std::ranges::find(list, one) != list.end();
+  }
   std::vector<Index> corners_of(const std::vector<Index>& triangles, Index without) const;
   bool has_corner(Index triangle, Index particle) const;
   unsigned edge_sides(Index end, const Cut& cut) const;
