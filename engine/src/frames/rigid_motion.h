@@ -17,6 +17,12 @@ struct FramePlace {
   Vec3 at(const Vec3& local) const { return origin + rotation * local; }
 };
 
+/// How fast a frame is.
+struct FrameVelocity {
+  Vec3 origin = Vec3::Zero();  ///< of its origin, in the world [m/s]
+  Vec3 spin = Vec3::Zero();    ///< in its own frame [rad/s]
+};
+
 /// How a frame moves: its pose at any time, by the keyframes of its path; or, without a path, by poses that
 /// the host gives step by step.
 class RigidMotion {
@@ -41,6 +47,10 @@ class RigidMotion {
   /// In the world [m/s], just before `time`, of a point of its own frame.
   Vec3 velocity(const Vec3& local, double time) const;
 
+  /// As forces at `time` meet it: just before; but where it begins to move, as it does then. Methods take
+  /// forces at the beginning of a step or at its end, and a way that the host gives is one step.
+  FrameVelocity velocity_at(double time) const;
+
   /// Goes from where it is at `now` [s] evenly to a pose at `then`, and stays there.
   void move_to(const RigidPose& pose, double now, double then);
 
@@ -54,6 +64,7 @@ class RigidMotion {
 
  private:
   double share(double time) const;  ///< of the way from `from_` to `to_`, from 0 to 1
+  FrameVelocity velocity_before(double time) const;
 
   Vec3 origin_, axis_;
   std::vector<RigidKeyframe> path_;
