@@ -1,6 +1,7 @@
 #include "frames/frames.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "collide/local_shape.h"
 
@@ -50,6 +51,22 @@ void Frames::share_motions_of(const Frames& other) {
     held.frame = other.motions_[std::size_t(own - motions_.begin())].get();
   }
   motions_ = other.motions_;
+}
+
+void Frames::begin_step(double time) {
+  if (!any_moved_) return;
+  for (const auto& motion : motions_) {
+    if (motion != nullptr) motion->begin_step(time);
+  }
+}
+
+double Frames::end_of_moves() const {
+  double first = std::numeric_limits<double>::infinity();
+  if (!any_moved_) return first;
+  for (const auto& motion : motions_) {
+    if (motion != nullptr) first = std::min(first, motion->end_of_move());
+  }
+  return first;
 }
 
 std::size_t Frames::movable() const {

@@ -53,6 +53,12 @@ class Frames {
   /// for them.
   void share_motions_of(const Frames& other);
 
+  /// A step begins at `time` [s]: see RigidMotion.
+  void begin_step(double time);
+
+  /// The first end [s] of the moves by the host that had not ended when the step began; infinite without.
+  double end_of_moves() const;
+
   /// Of the frames that the host moves, in the order of their effects; none before it has moved the first.
   std::vector<RigidPose> poses(double time) const;
   void note_moved() { any_moved_ = true; }

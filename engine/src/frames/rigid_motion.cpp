@@ -52,7 +52,12 @@ Vec3 RigidMotion::velocity(const Vec3& local, double time) const {
   return velocity.origin + rotation(time) * velocity.spin.cross(local);
 }
 
+double RigidMotion::end_of_move() const {
+  return moved_ && !rests_ ? to_time_ : std::numeric_limits<double>::infinity();
+}
+
 FrameVelocity RigidMotion::velocity_at(double time) const {
+  if (moved_ && rests_) return {};
   const bool begins = moved_ ? time == from_time_ : !path_.empty() && time == path_.front().time;
   return velocity_before(begins ? std::nextafter(time, std::numeric_limits<double>::infinity()) : time);
 }
@@ -78,12 +83,14 @@ void RigidMotion::move_to(const RigidPose& pose_then, double now, double then) {
   to_ = {pose_then.displacement, pose_then.rotation.normalized()};
   from_time_ = now;
   to_time_ = then;
+  rests_ = false;
   moved_ = true;
 }
 
 void RigidMotion::put(const RigidPose& pose) {
   from_ = to_ = {pose.displacement, pose.rotation.normalized()};
   from_time_ = to_time_ = 0.0;
+  rests_ = true;
   moved_ = true;
 }
 

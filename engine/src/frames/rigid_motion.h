@@ -48,8 +48,15 @@ class RigidMotion {
   Vec3 velocity(const Vec3& local, double time) const;
 
   /// As forces at `time` meet it: just before; but where it begins to move, as it does then. Methods take
-  /// forces at the beginning of a step or at its end, and a way that the host gives is one step.
+  /// forces at the beginning of a step or at its end, and a move by the host is one step: it counts at both,
+  /// but no more when a step begins at its end.
   FrameVelocity velocity_at(double time) const;
+
+  /// A step begins at `time` [s].
+  void begin_step(double time) { rests_ = time >= to_time_; }
+
+  /// Of a move by the host that had not ended when the step began [s]; infinite without.
+  double end_of_move() const;
 
   /// Goes from where it is at `now` [s] evenly to a pose at `then`, and stays there.
   void move_to(const RigidPose& pose, double now, double then);
@@ -71,6 +78,7 @@ class RigidMotion {
   bool moved_ = false;  ///< by the host
   RigidPose from_, to_;
   double from_time_ = 0.0, to_time_ = 0.0;  ///< [s]
+  bool rests_ = true;                       ///< the step has begun after the move by the host
 };
 
 }  // namespace hooke
