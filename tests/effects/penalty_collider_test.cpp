@@ -343,6 +343,8 @@ TEST_CASE("penalty: substeps grow with the root of the stiffness, and solids add
   };
   const Collider soft{.stiffness = 4e8}, hard{.stiffness = 4e10};
   CHECK(with({}) == 1);
+  const Scene one = one_over({.stiffness = 500.0}, Vec3::Zero());
+  CHECK(highest_frequency(one) == doctest::Approx(std::sqrt(500.0 / mass)).epsilon(1e-9));
   CHECK(double(with({hard})) == doctest::Approx(10.0 * double(with({soft}))).epsilon(0.05));
   CHECK(double(with({soft, soft, soft, soft})) == doctest::Approx(2.0 * double(with({soft}))).epsilon(0.1));
   CHECK(with({{.friction = 1.0}}) == 1);
