@@ -120,6 +120,7 @@ template <class Real>
 CompiledPlan<Real> make_plan(const Settings& settings, const Model<Real>& model, Forces<Real>& forces,
                              Scheme<Real>& scheme, const SolvedSteps<Real>* solved, std::uint64_t substeps) {
   CompiledPlan<Real> plan;
+  plan.frames = model.frames.get();
   if (solved == nullptr && forces.needs_preparation())
     plan.sweeps.push_back(preparation_sweep(forces, scheme));
   plan.sweeps.push_back(solved != nullptr ? equation_sweep(model, forces, *solved)

@@ -38,6 +38,7 @@ struct CompiledPlan {
   bool tiled = false;                  ///< all is one sweep over blocks, which may go on to later stages
   std::size_t most_steps_at_once = 1;  ///< more than one only where it is tiled
   std::size_t states = 2;              ///< that a run needs: see StateRing
+  Frames* frames = nullptr;            ///< the model's; null of a scene without
   Plan shown;
 };
 

@@ -61,6 +61,21 @@ void run_tiles(const PlanRun<Real>& run, const Sweep<Real>& sweep, const Substep
   });
 }
 
+/// How many substeps may run at once from one on, of `all`. What the host's move brings to a place within a
+/// step rests there in the next one, so no run goes past its end.
+template <class Real>
+std::size_t at_once_from(std::size_t n, std::size_t all, const PlanRun<Real>& run, const StepTimes& times) {
+  const std::size_t stages = run.plan.stages, step = n / stages;
+  Frames* const frames = run.plan.frames;
+  if (frames != nullptr && n % stages == 0) frames->begin_step(times.after(step));
+  if (!run.plan.tiled) return 1;
+  if (frames == nullptr) return all - n;
+  const double end = frames->end_of_moves();
+  std::size_t steps = 1;
+  while ((step + steps) * stages < all && times.after(step + steps) < end) ++steps;
+  return steps * stages;
+}
+
 }  // namespace
 
 template <class Real>
@@ -68,9 +83,10 @@ Index take_steps(const PlanRun<Real>& run, const StepTimes& times, std::size_t f
                  StateRing<Real>& states) {
   std::atomic<Index> first_bad{Report::none};
   const Substeps<Real> substeps(run, times, first, states, first_bad);
-  const std::size_t all = count * run.plan.stages, at_once = run.plan.tiled ? all : 1;
+  const std::size_t all = count * run.plan.stages;
   Stopwatch stopwatch;
-  for (std::size_t n = 0; n < all; n += at_once) {
+  for (std::size_t n = 0, at_once = 0; n < all; n += at_once) {
+    at_once = at_once_from(n, all, run, times);
     for (std::size_t i = 0; i < run.plan.sweeps.size(); ++i) {
       const Sweep<Real>& sweep = run.plan.sweeps[i];
       if (sweep.run_all) {

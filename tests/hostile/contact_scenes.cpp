@@ -36,7 +36,8 @@ class Chance {
 /// What is built is 1 m large; `size` [m] scales all of it.
 class Builder {
  public:
-  explicit Builder(std::uint32_t seed) : chance_(seed), size_(chance_.magnitude(1e-3, 1e3)) {}
+  explicit Builder(std::uint32_t seed)
+      : chance_(seed), penalty_chance_(~seed), size_(chance_.magnitude(1e-3, 1e3)) {}
 
   ContactRun run() {
     build();
@@ -169,6 +170,7 @@ class Builder {
                       .thickness = chance_.with(0.5) ? chance_.between(0.0, 0.05) * size_ : 0.0,
                       .friction = chance_.with(0.7) ? chance_.between(0.0, 2.0) : 0.0,
                       .restitution = chance_.with(0.3) ? chance_.between(0.0, 1.0) : 0.0};
+    if (penalty_chance_.with(0.25)) make_penalty(collider);
     const bool moves = chance_.with(0.3);
     if (moves) {
       collider.axis = chance_.direction();
@@ -178,6 +180,16 @@ class Builder {
     }
     run_.scene.effects.push_back(std::move(collider));
     return !moves;
+  }
+
+  /// As stiff for the lightest particle as springs are.
+  void make_penalty(Collider& collider) {
+    const double mass = *std::ranges::min_element(run_.scene.particles.mass);
+    const double frequency = penalty_chance_.magnitude(10.0, 500.0);  // [1/s]
+    highest_frequency_ = std::max(highest_frequency_, frequency);
+    collider.restitution = 0.0;
+    collider.stiffness = frequency * frequency * mass;
+    if (penalty_chance_.with(0.8)) collider.damping = penalty_chance_.between(0.0, 2.0) * frequency * mass;
   }
 
   SelfCollision self_collision() {
@@ -238,6 +250,7 @@ class Builder {
   }
 
   Chance chance_;
+  Chance penalty_chance_;  ///< of its own, so that the rest of a scene does not depend on it
   double size_;
   double highest_frequency_ = 0.0;  ///< [1/s] of a spring and a particle
   bool is_damped_ = chance_.with(0.6);

@@ -28,6 +28,8 @@ constexpr std::array units{
     FieldUnit{TensileTriangles::name, "damping", "s"},
     FieldUnit{Plasticity::name, "rate", "1/s"},
     FieldUnit{Collider::name, "thickness", "m"},
+    FieldUnit{Collider::name, "stiffness", "N/m"},
+    FieldUnit{Collider::name, "damping", "N s/m"},
     FieldUnit{FrameAttachment::name, "origin", "m"},
     FieldUnit{Stitch::name, "closing_time", "s"},
     FieldUnit{SelfCollision::name, "thickness", "m"},

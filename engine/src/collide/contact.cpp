@@ -6,43 +6,13 @@
 #define HWY_TARGET_INCLUDE "collide/contact.cpp"
 #include <hwy/foreach_target.h>
 
+#include "collide/pose-inl.h"
 #include "collide/shapes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hooke {
 namespace HWY_NAMESPACE {
 namespace {
-
-template <class D, class Real>
-HWY_INLINE auto set3(D d, const Real* a) {
-  return Vector3<hn::Vec<D>>{hn::Set(d, a[0]), hn::Set(d, a[1]), hn::Set(d, a[2])};
-}
-
-/// The vector in the frame of a pose: transposed rotation.
-template <class D, class Real, class V = hn::Vec<D>>
-HWY_INLINE Vector3<V> turned_back(D d, const Pose<Real>& pose, const Vector3<V>& a) {
-  const auto& r = pose.rotation;
-  const auto row = [&](std::size_t i) HWY_ATTR {
-    return hn::MulAdd(hn::Set(d, r[0][i]), a.x,
-                      hn::MulAdd(hn::Set(d, r[1][i]), a.y, hn::Mul(hn::Set(d, r[2][i]), a.z)));
-  };
-  return {row(0), row(1), row(2)};
-}
-
-template <class D, class Real, class V = hn::Vec<D>>
-HWY_INLINE Vector3<V> turned(D d, const Pose<Real>& pose, const Vector3<V>& a) {
-  const auto& r = pose.rotation;
-  const auto row = [&](std::size_t i) HWY_ATTR {
-    return hn::MulAdd(hn::Set(d, r[i][0]), a.x,
-                      hn::MulAdd(hn::Set(d, r[i][1]), a.y, hn::Mul(hn::Set(d, r[i][2]), a.z)));
-  };
-  return {row(0), row(1), row(2)};
-}
-
-template <class D, class Real, class V = hn::Vec<D>>
-HWY_INLINE Vector3<V> to_local(D d, const Pose<Real>& pose, const Vector3<V>& x) {
-  return turned_back(d, pose, x - set3(d, pose.origin));
-}
 
 /// How far along the way from p to q, from 0 to 1, a particle first comes to a distance from the surface; 1
 /// or more where it does not. From further away, by steps as long as what is left: it never goes past.
@@ -184,17 +154,8 @@ HWY_INLINE std::uint16_t resolve_shape(const Shape& shape, const Contact<Real>& 
 
 template <class Real>
 HWY_INLINE std::uint16_t resolve_any(const Contact<Real>& contact, const ContactBlock<Real>& block) {
-  if (const auto* plane = std::get_if<LocalPlane<Real>>(&contact.shape))
-    return resolve_shape(*plane, contact, block);
-  if (const auto* sphere = std::get_if<LocalSphere<Real>>(&contact.shape))
-    return resolve_shape(*sphere, contact, block);
-  if (const auto* capsule = std::get_if<LocalCapsule<Real>>(&contact.shape))
-    return resolve_shape(*capsule, contact, block);
-  if (const auto* box = std::get_if<LocalBox<Real>>(&contact.shape))
-    return resolve_shape(*box, contact, block);
-  if (const auto* mesh = std::get_if<LookedUpShape<MeshDistance<Real>>>(&contact.shape))
-    return resolve_shape(*mesh, contact, block);
-  return resolve_shape(*std::get_if<LookedUpShape<HeightDistance<Real>>>(&contact.shape), contact, block);
+  return with_shape(contact.shape,
+                    [&](const auto& shape) HWY_ATTR { return resolve_shape(shape, contact, block); });
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 #include <hwy/highway.h>
 
 #include "collide/shapes-inl.h"
+#include "collide/solid_bounds.h"
 
 namespace hooke {
 
 Obstacles::Obstacles(const Scene& scene, const Frames* frames, PreparedMeshes& meshes, double margin) {
   for (std::size_t i = 0; i < scene.effects.size(); ++i) {
     const auto* const collider = std::get_if<Collider>(&scene.effects[i]);
-    if (collider == nullptr) continue;
+    if (collider == nullptr || is_penalty(*collider)) continue;
     solids_.push_back({frames->of(i),
                        local_shape<double>(collider->shape, collider->thickness + margin, 0, meshes),
                        collider->thickness, collider->friction, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),

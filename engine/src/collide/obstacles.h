@@ -17,7 +17,8 @@ struct ObstacleSurface {
   double friction;
 };
 
-/// The colliders of a scene, one place at a time: for what has to know how particles lie on them.
+/// The colliders of a scene that particles are put back on, one place at a time: for what has to know how
+/// particles lie on them.
 class Obstacles {
  public:
   /// They are seen from places nearer than `margin` [m] to their surface and thickness. Where the scene has a

@@ -139,6 +139,17 @@ HWY_INLINE hn::TFromD<D> way_to(D, const LookedUpShape<Distances>& shape, const 
   return shape.distances->exactly({hn::GetLane(p.x), hn::GetLane(p.y), hn::GetLane(p.z)});
 }
 
+/// Calls visit(shape) for what a shape is.
+template <class Real, class Visit>
+HWY_INLINE auto with_shape(const LocalShape<Real>& shape, const Visit& visit) {
+  if (const auto* plane = std::get_if<LocalPlane<Real>>(&shape)) return visit(*plane);
+  if (const auto* sphere = std::get_if<LocalSphere<Real>>(&shape)) return visit(*sphere);
+  if (const auto* capsule = std::get_if<LocalCapsule<Real>>(&shape)) return visit(*capsule);
+  if (const auto* box = std::get_if<LocalBox<Real>>(&shape)) return visit(*box);
+  if (const auto* mesh = std::get_if<LookedUpShape<MeshDistance<Real>>>(&shape)) return visit(*mesh);
+  return visit(*std::get_if<LookedUpShape<HeightDistance<Real>>>(&shape));
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace hooke

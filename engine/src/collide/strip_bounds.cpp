@@ -100,6 +100,14 @@ void BoundsList<Real>::drop(std::size_t box) {
 }
 
 template <class Real>
+void BoundsList<Real>::widen(std::size_t box) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    values_[axis][box] = -std::numeric_limits<Real>::infinity();
+    values_[3 + axis][box] = std::numeric_limits<Real>::infinity();
+  }
+}
+
+template <class Real>
 void BoundsList<Real>::add(const Bounds<Real>& bounds) {
   constexpr Real infinite = std::numeric_limits<Real>::infinity();
   ++size_;

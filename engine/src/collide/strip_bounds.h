@@ -27,6 +27,8 @@ class BoundsList {
 
   /// A box that meets nothing from now on; the others keep their numbers.
   void drop(std::size_t box);
+  /// One that meets everything from now on.
+  void widen(std::size_t box);
   bool dropped(std::size_t box) const { return low(0)[box] > high(0)[box]; }
 
   std::size_t size() const { return size_; }

@@ -1,59 +1,36 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 #include "collide/mesh_checks.h"
 #include "collide/pinch.h"
 #include "collide/pose_of.h"
-#include "collide/strip_bounds.h"
+#include "collide/solid_bounds.h"
 #include "effects/effect_functions.h"
+#include "effects/penalty_collider.h"
 #include "effects/rigid_path_checks.h"
 #include "scene/number_text.h"
 
 namespace hooke {
 namespace {
 
-/// As far as rounding of positions may hide that boxes meet.
-template <class Real>
-constexpr double rounding = 8.0 * double(std::numeric_limits<Real>::epsilon());
-
 /// A collider, as it runs.
 template <class Real>
 struct Solid {
   const RigidMotion* motion;
   LocalShape<Real> shape;
-  Vec3 half;     ///< of the extent along its own axes, without thickness [m]
+  Vec3 half;     ///< of the extent along its own axes, thickness included [m]
   double reach;  ///< [m] from its origin, thickness included, however it is turned
   Real thickness, friction, restitution;
 };
 
-/// Whether a box lies wholly above a plane, in the world. Of other shapes their own boxes say enough.
-template <class Real>
-bool is_clear_of(const Contact<Real>& contact, const Bounds<Real>& box) {
-  const auto* plane = std::get_if<LocalPlane<Real>>(&contact.shape);
-  if (plane == nullptr) return false;
-  const Real local[] = {plane->nx, plane->ny, plane->nz};
-  Real lowest = -plane->height - contact.thickness, size = std::abs(plane->height);
-  for (std::size_t k = 0; k < 3; ++k) {
-    Real n = Real(0);
-    for (std::size_t j = 0; j < 3; ++j) n += contact.after.rotation[k][j] * local[j];
-    const Real low = n * (box.low[k] - contact.after.origin[k]);
-    const Real high = n * (box.high[k] - contact.after.origin[k]);
-    lowest += std::min(low, high);
-    size += std::max(std::abs(low), std::abs(high));
-  }
-  return lowest > Real(rounding<Real>) * size;
-}
-
-/// All colliders of a scene: the first of them has them all, so that strips are compared with many boxes at
-/// once.
+/// All colliders of a scene that put particles back: the first of them has them all, so that strips are
+/// compared with many boxes at once.
 template <class Real>
 class Colliders final : public CompiledEffect<Real> {
  public:
   explicit Colliders(const EffectContext<Real>& context) : blocks_(block_count(context.model.particles())) {
     for (std::size_t i = 0; i < context.scene.effects.size(); ++i) {
-      if (const auto* collider = std::get_if<Collider>(&context.scene.effects[i]))
+      const auto* collider = std::get_if<Collider>(&context.scene.effects[i]);
+      if (collider != nullptr && !is_penalty(*collider))
         add(*collider, context.model.frames->of(i), *context.model.meshes);
     }
     for (std::size_t block = 0; block < blocks_; ++block) free_.push_back(free_lanes(context.model, block));
@@ -85,8 +62,7 @@ class Colliders final : public CompiledEffect<Real> {
   }
 
   void disturb(double from, double to, Disturbances& disturbed) const override {
-    for (const Solid<Real>& solid : moving_)
-      disturb_near(solid, solid.motion->at(from), solid.motion->at(to), disturbed);
+    for (const Solid<Real>& solid : moving_) disturb_near(*solid.motion, solid.half, from, to, disturbed);
   }
 
   Stage stage() const override {
@@ -113,7 +89,7 @@ class Colliders final : public CompiledEffect<Real> {
   void add(const Collider& collider, const RigidMotion* motion, PreparedMeshes& meshes) {
     Solid<Real> solid{motion,
                       local_shape<Real>(collider.shape, collider.thickness, blocks_, meshes),
-                      half_extent_of(collider.shape),
+                      half_extent_of(collider.shape) + Vec3::Constant(collider.thickness),
                       radius_of(collider.shape) + collider.thickness,
                       Real(collider.thickness),
                       Real(collider.friction),
@@ -122,25 +98,9 @@ class Colliders final : public CompiledEffect<Real> {
       moving_.push_back(std::move(solid));
       return;
     }
-    bounds_.add(around(solid));
+    bounds_.add(bounds_at<Real>(collider, solid.motion->at(0.0)));
     contacts_.push_back(contact_of(solid, 0.0, 0.0, 1.0));
     still_.push_back(std::move(solid));
-  }
-
-  /// Of one that does not move.
-  static Bounds<Real> around(const Solid<Real>& solid) {
-    constexpr Real infinite = std::numeric_limits<Real>::infinity();
-    if (std::holds_alternative<LocalPlane<Real>>(solid.shape))
-      return {{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
-    const Vec3 origin = solid.motion->origin(0.0);
-    const Vec3 half = extent(solid, solid.motion->rotation(0.0));
-    Bounds<Real> bounds;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const double slack = rounding<Real> * (std::abs(origin[k]) + half[k]);
-      bounds.low[k] = Real(origin[k] - half[k] - slack);
-      bounds.high[k] = Real(origin[k] + half[k] + slack);
-    }
-    return bounds;
   }
 
   static Contact<Real> contact_of(const Solid<Real>& solid, double before, double after, double h) {
@@ -161,6 +121,10 @@ class Colliders final : public CompiledEffect<Real> {
     return contact;
   }
 
+  static bool is_clear_of(const Contact<Real>& contact, const Bounds<Real>& box) {
+    return hooke::is_clear_of(contact.shape, contact.after, contact.thickness, box);
+  }
+
   /// Calls visit(contact) for each collider that may touch something in the box around a strip.
   template <class Visit>
   void for_each_near(const StepResult<Real>& result, const Bounds<Real>& box, const Visit& visit) const {
@@ -169,35 +133,11 @@ class Colliders final : public CompiledEffect<Real> {
       if (!is_clear_of(contacts_[s], box)) visit(contacts_[s]);
     }
     for (const Solid<Real>& solid : moving_) {
-      if (!comes_near(solid, result, box)) continue;
+      const Vec3 from = solid.motion->origin(result.time - result.h), to = solid.motion->origin(result.time);
+      if (!may_meet(from, to, solid.reach, box)) continue;
       const Contact<Real> contact = contact_of(solid, result.time - result.h, result.time, result.h);
       if (!is_clear_of(contact, box)) visit(contact);
     }
-  }
-
-  /// Whether one that moves may meet a box on its way in the step.
-  static bool comes_near(const Solid<Real>& solid, const StepResult<Real>& result, const Bounds<Real>& box) {
-    const Vec3 from = solid.motion->origin(result.time - result.h), to = solid.motion->origin(result.time);
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      if (std::min(from[k], to[k]) - solid.reach > double(box.high[k])) return false;
-      if (std::max(from[k], to[k]) + solid.reach < double(box.low[k])) return false;
-    }
-    return true;
-  }
-
-  /// What is where a solid goes, if it does.
-  static void disturb_near(const Solid<Real>& solid, const FramePlace& from, const FramePlace& to,
-                           Disturbances& disturbed) {
-    const bool turns = from.rotation != to.rotation;
-    if (!turns && from.origin == to.origin) return;
-    const Vec3 reach = Vec3::Constant(solid.reach);
-    const Vec3 half = turns || !std::isfinite(solid.reach) ? reach : extent(solid, from.rotation);
-    disturbed.box(from.origin.cwiseMin(to.origin) - half, from.origin.cwiseMax(to.origin) + half);
-  }
-
-  /// Half of what it takes up along the world's axes, thickness included [m].
-  static Vec3 extent(const Solid<Real>& solid, const Eigen::Matrix3d& rotation) {
-    return rotation.cwiseAbs() * solid.half + Vec3::Constant(double(solid.thickness));
   }
 
   ContactBlock<Real> block_of(const StepResult<Real>& result, std::size_t block) const {
@@ -258,9 +198,11 @@ class WithTheFirst final : public CompiledEffect<Real> {
   Stage stage() const override { return {}; }
 };
 
-bool is_first(const Collider& collider, const Scene& scene) {
+/// Of those that put particles back, or of those that are forces.
+bool is_first_of_its_kind(const Collider& collider, const Scene& scene) {
   for (const Effect& effect : scene.effects) {
-    if (const auto* one = std::get_if<Collider>(&effect)) return one == &collider;
+    const auto* one = std::get_if<Collider>(&effect);
+    if (one != nullptr && is_penalty(*one) == is_penalty(collider)) return one == &collider;
   }
   return false;
 }
@@ -295,12 +237,24 @@ void check_shape(const HeightfieldShape& field, const ElementChecks& checks) {
   check_heightfield(field, checks);
 }
 
+void check_penalty(const Collider& collider, const ElementChecks& checks) {
+  checks.not_negative("stiffness", collider.stiffness, "N/m");
+  checks.not_negative("damping", collider.damping, "N s/m");
+  if (is_penalty(collider) && collider.restitution != 0.0)
+    checks.add("restitution is " + to_text(collider.restitution) + " beside a stiffness",
+               "give 0: the damping decides how fast particles come back; or a stiffness of 0");
+  if (collider.stiffness == 0.0 && collider.damping > 0.0)
+    checks.add("damping is " + to_text(collider.damping) + " N s/m without a stiffness",
+               "give a stiffness > 0 [N/m], or a damping of 0");
+}
+
 }  // namespace
 
 template <class Real>
 EffectPointer<Real> compile_effect(const Collider& collider, const EffectContext<Real>& context) {
-  if (is_first(collider, context.scene)) return std::make_unique<Colliders<Real>>(context);
-  return std::make_unique<WithTheFirst<Real>>();
+  if (!is_first_of_its_kind(collider, context.scene)) return std::make_unique<WithTheFirst<Real>>();
+  if (is_penalty(collider)) return penalty_colliders(context);
+  return std::make_unique<Colliders<Real>>(context);
 }
 
 template EffectPointer<float> compile_effect(const Collider&, const EffectContext<float>&);
@@ -312,11 +266,15 @@ void check_effect(const Collider& collider, const Scene&, const ElementChecks& c
   checks.not_negative("friction", collider.friction, "");
   if (!(collider.restitution >= 0.0 && collider.restitution <= 1.0))
     checks.add("restitution is " + to_text(collider.restitution), "give a value from 0 to 1");
+  check_penalty(collider, checks);
   checks.direction("axis", collider.axis);
   check_rigid_path(collider.path, checks);
 }
 
-/// It takes no shorter steps.
-void add_bounds(const Collider&, const Scene&, HeldParticles&) {}
+/// Where it puts particles back it takes no shorter steps. Penalties add up: solids overlap, and the host may
+/// move any one into another.
+void add_bounds(const Collider& collider, const Scene&, HeldParticles& held) {
+  if (is_penalty(collider)) held.add_to_each(collider.stiffness, collider.damping);
+}
 
 }  // namespace hooke

@@ -1,17 +1,18 @@
 #include "frames/frames.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "collide/local_shape.h"
 
 namespace hooke {
 namespace {
 
-std::unique_ptr<RigidMotion> motion_of(const Effect& effect) {
+std::shared_ptr<RigidMotion> motion_of(const Effect& effect) {
   if (const auto* collider = std::get_if<Collider>(&effect))
-    return std::make_unique<RigidMotion>(origin_of(collider->shape), collider->axis, collider->path);
+    return std::make_shared<RigidMotion>(origin_of(collider->shape), collider->axis, collider->path);
   if (const auto* attachment = std::get_if<FrameAttachment>(&effect))
-    return std::make_unique<RigidMotion>(attachment->origin, attachment->axis, attachment->path);
+    return std::make_shared<RigidMotion>(attachment->origin, attachment->axis, attachment->path);
   return nullptr;
 }
 
@@ -41,6 +42,31 @@ void Frames::set_memory(const RigidMotion& frame, std::size_t memory) {
   for (HeldParticle& held : held_) {
     if (held.frame == &frame) held.memory = memory;
   }
+}
+
+void Frames::share_motions_of(const Frames& other) {
+  for (HeldParticle& held : held_) {
+    const auto own = std::find_if(motions_.begin(), motions_.end(),
+                                  [&](const auto& motion) { return motion.get() == held.frame; });
+    held.frame = other.motions_[std::size_t(own - motions_.begin())].get();
+  }
+  motions_ = other.motions_;
+}
+
+void Frames::begin_step(double time) {
+  if (!any_moved_) return;
+  for (const auto& motion : motions_) {
+    if (motion != nullptr) motion->begin_step(time);
+  }
+}
+
+double Frames::end_of_moves() const {
+  double first = std::numeric_limits<double>::infinity();
+  if (!any_moved_) return first;
+  for (const auto& motion : motions_) {
+    if (motion != nullptr) first = std::min(first, motion->end_of_move());
+  }
+  return first;
 }
 
 std::size_t Frames::movable() const {

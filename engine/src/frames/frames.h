@@ -49,6 +49,16 @@ class Frames {
   /// the last stage goes from the start of the step.
   const Vec3& taken(const HeldParticle& one) const { return taken_[place_of(one)]; }
 
+  /// They move as those of another model of the same scene, whoever moves these. Before effects are compiled
+  /// for them.
+  void share_motions_of(const Frames& other);
+
+  /// A step begins at `time` [s]: see RigidMotion.
+  void begin_step(double time);
+
+  /// The first end [s] of the moves by the host that had not ended when the step began; infinite without.
+  double end_of_moves() const;
+
   /// Of the frames that the host moves, in the order of their effects; none before it has moved the first.
   std::vector<RigidPose> poses(double time) const;
   void note_moved() { any_moved_ = true; }
@@ -61,7 +71,7 @@ class Frames {
   void put_back();
 
  private:
-  std::vector<std::unique_ptr<RigidMotion>> motions_;  ///< of each effect
+  std::vector<std::shared_ptr<RigidMotion>> motions_;  ///< of each effect
   std::size_t place_of(const HeldParticle& one) const { return std::size_t(&one - held_.data()); }
 
   std::vector<HeldParticle> held_;

@@ -1,6 +1,8 @@
 #include "frames/rigid_motion.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -46,20 +48,34 @@ Vec3 RigidMotion::turn(double before, double after) const {
 }
 
 Vec3 RigidMotion::velocity(const Vec3& local, double time) const {
+  const FrameVelocity velocity = velocity_before(time);
+  return velocity.origin + rotation(time) * velocity.spin.cross(local);
+}
+
+double RigidMotion::end_of_move() const {
+  return moved_ && !rests_ ? to_time_ : std::numeric_limits<double>::infinity();
+}
+
+FrameVelocity RigidMotion::velocity_at(double time) const {
+  if (moved_ && rests_) return {};
+  const bool begins = moved_ ? time == from_time_ : !path_.empty() && time == path_.front().time;
+  return velocity_before(begins ? std::nextafter(time, std::numeric_limits<double>::infinity()) : time);
+}
+
+FrameVelocity RigidMotion::velocity_before(double time) const {
   if (moved_) {
-    if (!(time > from_time_ && time <= to_time_)) return Vec3::Zero();
+    if (!(time > from_time_ && time <= to_time_)) return {};
     const double span = to_time_ - from_time_;
-    const Vec3 spin = axis_times_angle(from_.rotation.conjugate() * to_.rotation) / span;
-    return (to_.displacement - from_.displacement) / span + rotation(time) * spin.cross(local);
+    return {(to_.displacement - from_.displacement) / span,
+            axis_times_angle(from_.rotation.conjugate() * to_.rotation) / span};
   }
   const auto next =
       std::lower_bound(path_.begin(), path_.end(), time,
                        [](const RigidKeyframe& keyframe, double t) { return keyframe.time < t; });
-  if (next == path_.begin() || next == path_.end()) return Vec3::Zero();
+  if (next == path_.begin() || next == path_.end()) return {};
   const RigidKeyframe &a = *(next - 1), &b = *next;
   const double span = b.time - a.time;
-  const Vec3 spin = (b.degrees - a.degrees) * radians / span * axis_;
-  return (b.displacement - a.displacement) / span + rotation(time) * spin.cross(local);
+  return {(b.displacement - a.displacement) / span, (b.degrees - a.degrees) * radians / span * axis_};
 }
 
 void RigidMotion::move_to(const RigidPose& pose_then, double now, double then) {
@@ -67,12 +83,14 @@ void RigidMotion::move_to(const RigidPose& pose_then, double now, double then) {
   to_ = {pose_then.displacement, pose_then.rotation.normalized()};
   from_time_ = now;
   to_time_ = then;
+  rests_ = false;
   moved_ = true;
 }
 
 void RigidMotion::put(const RigidPose& pose) {
   from_ = to_ = {pose.displacement, pose.rotation.normalized()};
   from_time_ = to_time_ = 0.0;
+  rests_ = true;
   moved_ = true;
 }
 

@@ -26,6 +26,12 @@ void for_each_part(std::size_t first, std::size_t last, const Visit& visit) {
   if (whole_end < end) visit(whole_end, end);
 }
 
+template <class Real>
+const Model<Real>& with_motions_of(const Model<Real>& other, Model<Real>& model) {
+  if (model.frames != nullptr) model.frames->share_motions_of(*other.frames);
+  return model;
+}
+
 }  // namespace
 
 template <class Real>
@@ -43,7 +49,7 @@ VertexSweeps<Real>::VertexSweeps(const SolverContext<Real>& context, const Adjac
     : executor_(context.executor),
       model_(context.scene, adjacency, std::move(colours.order), Accumulation::gather, context.executor,
              context.model.holds_like_pins, context.model.meshes),
-      forces_(context.scene, model_),
+      forces_(context.scene, with_motions_of(context.model, model_)),
       coupled_(model_, forces_),
       from_(model_.particles()),
       now_(model_.particles(), packed_for(model_)) {
@@ -120,6 +126,7 @@ void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real
   time_ = stage.time;
   now_.memory = stage.from.memory;
   now_.pairs = stage.from.pairs;
+  if (model_.frames != nullptr) forces_.effects().frames_changed();  // the host may have moved some
   follow_islands();
   for_each_awake([&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
