@@ -37,6 +37,11 @@ template <class Real>
 void Simulation<Real>::Parts::follow_sleepers() {
   if (!model.islands_changed(islands_seen)) return;
   model.follow_islands();
+  std::vector<std::size_t> awake;
+  for (std::size_t tile = 0; tile < plan.tiles.count(); ++tile) {
+    if (model.awake.any(plan.tiles.begin(tile), plan.tiles.end(tile))) awake.push_back(tile);
+  }
+  workers.choose(std::move(awake));
   forces.clear();  // of sums that blocks asleep did not take
   whole.forget();
   if (controlled) controlled->restart(controlled->next_step(), controlled->last_error());

@@ -18,10 +18,12 @@ namespace {
 constexpr Index side = 8;
 constexpr double spacing = 0.02, thickness = 2e-3;
 
-std::vector<Method> methods_of_fixed_steps() {
+/// Of fixed steps, as colliders need them, and such that bear oscillations without damping.
+std::vector<Method> methods_of_cloth_on_the_floor() {
   std::vector<Method> methods;
   for (const Method& method : all_methods) {
-    if (!std::holds_alternative<DormandPrince>(method)) methods.push_back(method);
+    const bool grows = std::visit([](const auto& one) { return one.oscillation_limit == 0.0; }, method);
+    if (!grows && !std::holds_alternative<DormandPrince>(method)) methods.push_back(method);
   }
   return methods;
 }
@@ -89,9 +91,8 @@ Simulation<Real> asleep_after(const Scene& scene, std::size_t particles) {
 TEST_CASE_TEMPLATE("what has come to rest sleeps where it is, and the rest goes on, by every method", Real,
                    float, double) {
   const Resting resting;
-  for (const Method& method : methods_of_fixed_steps()) {
+  for (const Method& method : methods_of_cloth_on_the_floor()) {
     CAPTURE(to_string(method));
-    if (std::holds_alternative<ExplicitEuler>(method)) continue;  // lets a pendulum swing ever more
     Simulation<Real> simulation(resting.scene, {.method = method, .step = 5e-3, .threads = 1});
     Report report;
     for (int i = 0; i < 200 && asleep(report) < 2 * of_cloth; ++i) {

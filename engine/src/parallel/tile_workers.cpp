@@ -1,6 +1,7 @@
 #include "parallel/tile_workers.h"
 
 #include <algorithm>
+#include <numeric>
 #include <thread>
 
 #if defined(__SSE2__)
@@ -20,16 +21,22 @@ constexpr unsigned turns_before_yield = 256;
 
 TileWorkers::TileWorkers(const Tiles& tiles, unsigned threads)
     : tiles_(tiles),
+      chosen_(tiles.count()),
       most_stretches_(std::clamp<std::size_t>(tiles.count() / 2, 1, threads)),
-      stretches_(std::make_unique<Stretch[]>(most_stretches_)) {}
+      stretches_(std::make_unique<Stretch[]>(most_stretches_)) {
+  std::iota(chosen_.begin(), chosen_.end(), std::size_t{0});
+}
 
 std::size_t TileWorkers::start(std::size_t steps) {
-  count_ = std::clamp<std::size_t>(tiles_.blocks * steps / least_work, 1, most_stretches_);
+  const std::size_t tiles = chosen_.size();
+  const std::size_t blocks = tiles * tiles_.blocks / std::max<std::size_t>(tiles_.count(), 1);
+  const std::size_t most = std::clamp<std::size_t>(tiles / 2, 1, most_stretches_);
+  count_ = std::clamp<std::size_t>(blocks * steps / least_work, 1, most);
   stopped_.store(false, std::memory_order_relaxed);
   for (std::size_t i = 0; i < count_; ++i) {
     Stretch& stretch = stretches_[i];
-    stretch.first = tiles_.count() * i / count_;
-    stretch.last = tiles_.count() * (i + 1) / count_;
+    stretch.first = tiles * i / count_;
+    stretch.last = tiles * (i + 1) / count_;
     stretch.from_end = i % 2 == 0 && count_ > 1;
     stretch.walk = TileWalk(stretch.last - stretch.first, steps, tiles_.steps_in_pass);
     stretch.busy.store(false, std::memory_order_relaxed);

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <hooke/executor.h>
 
@@ -23,6 +25,9 @@ class TileWorkers {
  public:
   TileWorkers(const Tiles& tiles, unsigned threads);
 
+  /// From now on only these are stepped, in ascending order: what reads of the others, reads what stays.
+  void choose(std::vector<std::size_t> tiles) { chosen_ = std::move(tiles); }
+
   /// Calls work(step, first block, last block) for each tile and each of `steps` steps. Where it throws, the
   /// others stop, and the exception reaches the caller.
   template <class Work>
@@ -36,7 +41,7 @@ class TileWorkers {
  private:
   /// A part of the row of tiles. `busy` is held by the worker that walks on in it.
   struct alignas(2 * cache_line) Stretch {
-    std::size_t first = 0, last = 0;  ///< tiles [first, last)
+    std::size_t first = 0, last = 0;  ///< of those chosen: [first, last)
     bool from_end = false;
     TileWalk walk{0, 0, 1};
     std::atomic<bool> busy{false};
@@ -72,7 +77,7 @@ class TileWorkers {
     try {
       for (; ran < most && !stretch.walk.done() && ready(number); ++ran) {
         const std::size_t tile = stretch.tile(), step = stretch.walk.step();
-        work(step, tiles_.begin(tile), tiles_.end(tile));
+        work(step, tiles_.begin(chosen_[tile]), tiles_.end(chosen_[tile]));
         stretch.walk.next();
         publish(stretch, tile, step + 1);
       }
@@ -91,6 +96,7 @@ class TileWorkers {
   static void wait(unsigned idle);
 
   Tiles tiles_;
+  std::vector<std::size_t> chosen_;  ///< those that are stepped: walks go by places in this list
   std::size_t most_stretches_;
   std::unique_ptr<Stretch[]> stretches_;
   std::size_t count_ = 0;  ///< stretches of this run

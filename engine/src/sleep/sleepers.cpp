@@ -101,14 +101,16 @@ void Sleepers<Real>::end_step(StateRing<Real>& states, Executor& executor) {
 }
 
 /// Whether a particle was faster than may be, by its velocity and by its way: what something holds up at the
-/// end of each step may have a velocity that leads nowhere, and what lies still has a way by rounding.
+/// end of each step may have a velocity that leads nowhere, and rounding moves what lies still far from the
+/// origin.
 template <class Real>
 bool Sleepers<Real>::moves(std::size_t place, const StateRing<Real>& states) const {
+  constexpr double roundings = 4.0 * double(std::numeric_limits<Real>::epsilon());
   const Index i = particles_[place];
   const State<Real>& now = states.now();
   if (!(square(now.velocity(i)) > square_speed_)) return false;
   const Eigen::Matrix<Real, 3, 1> way = now.position(i) - states.before().position(i);
-  return square(way) > square_speed_ * step_ * step_;
+  return square(way) > square_speed_ * step_ * step_ + roundings * roundings * square(now.position(i));
 }
 
 template <class Real>
