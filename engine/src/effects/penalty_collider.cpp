@@ -38,8 +38,8 @@ namespace hooke {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Calls visit(lane, position, surface, depth, touches) for vectors of a strip's lanes in which some touch.
-/// Positions and the surface are in the solid's own frame.
+/// Calls visit(d, lane, position, surface, depth, touches) for vectors of a strip's lanes in which some
+/// touch. Positions and the surface are in the solid's own frame.
 template <class Real, class Visit>
 HWY_INLINE void for_each_touching(const Strip<Real>& strip, const Penalty<Real>& penalty,
                                   const Visit& visit) {
