@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "effects/paired_times.h"
+#include "effects/price_of_sleep.h"
 #include "effects/priced_effects.h"
 #include "program/machine.h"
 
@@ -25,9 +26,10 @@ struct Effort {
   Index columns;
   std::uint64_t steps;
   int turns, turns_unnamed;
+  Index cloths_asleep;
 };
 
-constexpr Effort full{128, 40, 31, 301}, quick{16, 4, 3, 3};
+constexpr Effort full{128, 40, 31, 301, 20}, quick{16, 4, 3, 3, 2};
 
 Settings settings() {
   return {.step = 1e-5, .unstable_step = UnstableStep::take, .on_trouble = OnTrouble::ignore, .threads = 1};
@@ -135,6 +137,7 @@ needed a block of as many; float, symplectic Euler, one thread. Both take %llu s
       "%.3f: so much "
       "is noise.\n",
       unnamed.front(), unnamed.back(), unnamed[unnamed.size() / 2]);
+  print_price_of_sleep(effort.cloths_asleep, effort.columns / 4, effort.turns);
 }
 
 }  // namespace

@@ -115,6 +115,7 @@ std::vector<PricedEffect> priced_effects(Index columns) {
       {"self_collision (nothing near)", sheet, SelfCollision{.thickness = 1e-5}, particle, particles},
       {"particle_contact (nothing near)", sheet, ParticleContact{.radius = {0.001}}, particle, particles},
       {"tearing (nothing torn)", sheet, Tearing{.strain = 10.0}, spring, springs},
+      {"sleep (nothing sleeps)", sheet, Sleep{.speed = 1e-12}, particle, particles},
       {"motion_script", sheet, MotionScript{some, {{0.0, {0, 0, 0}}, {1e3, {0.01, 0, 0}}}}, particle,
        of_some},
   };

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -29,6 +30,12 @@ double held_by(const std::vector<NamedEffect>& all, const Subset& named) {
   return held;
 }
 
+template <class Data>
+std::size_t place_of(const std::vector<NamedEffect>& all) {
+  const auto is_it = [](const NamedEffect& one) { return std::holds_alternative<Data>(one.effect); };
+  return std::size_t(std::ranges::find_if(all, is_it) - all.begin());
+}
+
 Subset only(std::size_t effect, std::size_t count) {
   Subset named(count);
   named[effect] = true;
@@ -44,6 +51,13 @@ TEST_CASE("random subsets of effects hold what each of theirs holds alone, by th
   std::vector<double> of_each;
   for (std::size_t i = 0; i < all.size(); ++i) of_each.push_back(held_by(all, only(i, all.size())) - bare);
 
+  // Self-collision has a copy of the part of its surface that is awake, where parts may sleep.
+  const std::size_t sleep = place_of<Sleep>(all), collision = place_of<SelfCollision>(all);
+  Subset two = only(sleep, all.size());
+  two[collision] = true;
+  const double together = held_by(all, two) - bare - of_each[sleep] - of_each[collision];
+  CHECK(together > 0.0);
+
   // Lists of effects and of stages grow in leaps, so they hold more or less room that is not used.
   constexpr double leap = 256.0;
   std::mt19937 random(17);
@@ -55,6 +69,7 @@ TEST_CASE("random subsets of effects hold what each of theirs holds alone, by th
       expected += of_each[i];
       leaps += leap;
     }
+    if (named[sleep] && named[collision]) expected += together;
     CHECK(std::abs(held_by(all, named) - expected) < leaps);
   }
   CHECK(held_by(all, Subset(all.size())) == bare);

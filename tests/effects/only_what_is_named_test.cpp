@@ -111,6 +111,8 @@ TEST_CASE("an effect that is removed and named again leaves no trace") {
     again.restore(middle);
     REQUIRE(again.step(5).ok());
     CHECK(again.state_hash() == never.state_hash());
-    CHECK(removed.state_hash() != first.state_hash());
+    // What moves does not sleep.
+    const bool acts = !std::holds_alternative<Sleep>(all[changed].effect);
+    CHECK((removed.state_hash() != first.state_hash()) == acts);
   }
 }

@@ -53,6 +53,8 @@ class Builder {
     if (chance_.with(0.4)) effects.emplace_back(tearing());
     if (chance_.with(0.3)) effects.emplace_back(attachment());
     if (chance_.with(0.2)) effects.emplace_back(seam());
+    if (chance_.with(0.5))
+      effects.emplace_back(Sleep{.speed = chance_.magnitude(1e-3, 0.1) * size_, .time = 0.1});
     return std::move(run_);
   }
 

@@ -33,7 +33,7 @@ std::vector<std::string> json_blocks(const std::string& page) {
 
 TEST_CASE("every example of docs/scenes.md is a scene") {
   const std::vector<std::string> blocks = json_blocks(scenes_page());
-  CHECK(blocks.size() == 9);
+  CHECK(blocks.size() == 10);
   for (const std::string& block : blocks) {
     CAPTURE(block);
     CHECK_NOTHROW(parse_scene(block));
