@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace hooke {
@@ -10,6 +11,13 @@ namespace hooke {
 /// Which blocks of particles steps work on: all of them, until some sleep.
 class AwakeBlocks {
  public:
+  struct Run {
+    std::size_t begin, end;
+  };
+
+  /// In ascending order; where all are awake, one that goes on behind the last block.
+  std::span<const Run> runs() const { return runs_; }
+
   /// Calls visit(first, last) for each run of awake blocks within [begin, end).
   template <class Visit>
   void for_each_run(std::size_t begin, std::size_t end, const Visit& visit) const {
@@ -41,10 +49,6 @@ class AwakeBlocks {
   }
 
  private:
-  struct Run {
-    std::size_t begin, end;
-  };
-
   std::vector<Run> runs_{{0, std::numeric_limits<std::size_t>::max()}};  ///< ascending
 };
 

@@ -39,6 +39,18 @@ class CholeskyFactor {
   /// Values of right-hand sides: four for each row, and room behind them.
   std::size_t values_of_sides() const { return 4 * (size() + BlockFactor<Real>::room); }
 
+  /// From now on right-hand sides are zero but in rows for which is_awake(row), or where a row of the same
+  /// node is: what is not is not gone through. No row of one sort may depend on one of the other.
+  template <class IsAwake>
+  void leave_out_all_but(const IsAwake& is_awake) {
+    const std::vector<Supernode>& nodes = blocks_.supernodes.nodes;
+    blocks_.awake.choose(nodes.size(), [&](std::size_t n) {
+      std::uint32_t row = nodes[n].first_column;
+      while (row < nodes[n].first_column + nodes[n].columns && !is_awake(row)) ++row;
+      return row < nodes[n].first_column + nodes[n].columns;
+    });
+  }
+
   /// Puts the solutions in the place of four right-hand sides, in the order of rows.
   void solve(Real* sides) const;
 

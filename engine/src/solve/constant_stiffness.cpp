@@ -19,7 +19,8 @@ template <class Real>
 class ConstantStiffness final : public DirectionSolver<Real> {
  public:
   ConstantStiffness(const SolverContext<Real>& context, std::size_t secant_pairs)
-      : matrix_(context.scene, context.model),
+      : model_(context.model),
+        matrix_(context.scene, context.model),
         factor_(matrix_.matrix()),
         effects_(context),
         particle_of_row_(factor_.size()),
@@ -49,6 +50,8 @@ class ConstantStiffness final : public DirectionSolver<Real> {
   }
 
   void begin() override {
+    if (model_.islands_changed(islands_seen_))
+      factor_.leave_out_all_but([&](std::size_t row) { return !model_.sleeps(particle_of_row_[row]); });
     effects_.clear();
     if (pairs_) pairs_->clear();
   }
@@ -128,6 +131,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
     return solves;
   }
 
+  const Model<Real>& model_;
   SpringLaplacian matrix_;
   CholeskyFactor<Real> factor_;
   EffectStiffness<Real> effects_;
@@ -139,6 +143,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
   AlignedVector<Real> sides_;
   std::optional<SecantPairs<Real>> pairs_;
   std::optional<ParticleVectors<Real>> remainder_;
+  std::uint64_t islands_seen_ = 0;
   double factored_h_ = 0.0;  // [s]
   bool positive_definite_ = false;
 };

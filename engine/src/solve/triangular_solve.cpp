@@ -1,5 +1,7 @@
 #include "solve/triangular_solve.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solve/triangular_solve.cpp"
 #include <hwy/foreach_target.h>
@@ -236,8 +238,16 @@ void solve(const BlockFactor<Real>& factor, Real* sides) {
                           HWY_ATTR { go_down(node, rows, block, part); };
     const auto up = [&](const Supernode& node, const std::uint32_t* rows, const Real* block)
                         HWY_ATTR { go_up(node, rows, block, part); };
-    for (const Supernode& node : supernodes.nodes) visit(node, down);
-    for (std::size_t n = supernodes.nodes.size(); n-- > 0;) visit(supernodes.nodes[n], up);
+    const auto end_of = [&](const AwakeBlocks::Run& run) {
+      return std::min(run.end, supernodes.nodes.size());
+    };
+    for (const AwakeBlocks::Run& run : factor.awake.runs()) {
+      for (std::size_t n = run.begin; n < end_of(run); ++n) visit(supernodes.nodes[n], down);
+    }
+    for (std::size_t r = factor.awake.runs().size(); r-- > 0;) {
+      const AwakeBlocks::Run& run = factor.awake.runs()[r];
+      for (std::size_t n = end_of(run); n-- > run.begin;) visit(supernodes.nodes[n], up);
+    }
   }
 }
 

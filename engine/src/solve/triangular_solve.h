@@ -1,6 +1,7 @@
 #pragma once
 
 #include "aligned.h"
+#include "sleep/awake_blocks.h"
 #include "solve/supernodes.h"
 
 namespace hooke {
@@ -15,6 +16,7 @@ struct BlockFactor {
 
   Supernodes supernodes;
   AlignedVector<Real> values;
+  AwakeBlocks awake;  ///< nodes that are gone through: in the columns of the others right-hand sides are zero
 
   std::size_t bytes() const {
     return values.capacity() * sizeof(Real) + supernodes.rows.capacity() * sizeof(std::uint32_t) +
