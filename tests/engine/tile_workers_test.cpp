@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <stdexcept>
 #include <vector>
@@ -74,6 +75,29 @@ TEST_CASE("tiles are stepped when their neighbours are ready, on any number of t
         }
       }
     }
+  }
+}
+
+TEST_CASE("only tiles that are chosen are stepped, those beside each other in step") {
+  const Tiles tiles = tiles_of(12, 4);
+  const std::vector<std::size_t> chosen{0, 1, 4, 5, 6, 11};
+  for (unsigned threads : {1u, 3u}) {
+    const auto executor = std::make_shared<test::FineExecutor>(threads);
+    TileWorkers workers(tiles, threads);
+    workers.choose(chosen);
+    std::vector<std::atomic<std::size_t>> done(tiles.count());
+    std::atomic<bool> wrong{false};
+    workers.run(*executor, 9, [&](std::size_t step, std::size_t begin, std::size_t) {
+      const std::size_t tile = begin / tiles.tile_blocks;
+      const auto in_step = [&](std::size_t other) {
+        return !std::ranges::binary_search(chosen, other) || Progress::near(done[other], step);
+      };
+      if ((tile > 0 && !in_step(tile - 1)) || !in_step(tile + 1)) wrong = true;
+      ++done[tile];
+    });
+    CHECK_FALSE(wrong);
+    for (std::size_t tile = 0; tile < tiles.count(); ++tile)
+      CHECK(done[tile] == (std::ranges::binary_search(chosen, tile) ? 9 : 0));
   }
 }
 

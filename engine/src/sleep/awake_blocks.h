@@ -21,6 +21,7 @@ class AwakeBlocks {
   /// Calls visit(first, last) for each run of awake blocks within [begin, end).
   template <class Visit>
   void for_each_run(std::size_t begin, std::size_t end, const Visit& visit) const {
+    if (begin >= end) return;
     auto run = std::upper_bound(runs_.begin(), runs_.end(), begin,
                                 [](std::size_t b, const Run& r) { return b < r.end; });
     for (; run != runs_.end() && run->begin < end; ++run)
