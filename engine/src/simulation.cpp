@@ -226,6 +226,18 @@ void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
 }
 
 template <class Real>
+bool Simulation<Real>::is_asleep(Index particle) const {
+  require_particle("is_asleep", particle, particle_count());
+  return parts_->sleepers && parts_->model.islands->particle_sleeps(particle);
+}
+
+template <class Real>
+void Simulation<Real>::wake(Index particle) {
+  require_particle("wake", particle, particle_count());
+  parts_->wake(particle);
+}
+
+template <class Real>
 const Plan& Simulation<Real>::plan() const {
   return parts_->plan.shown;
 }

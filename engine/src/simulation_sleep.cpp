@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 
 #include "report_of_steps.h"
 #include "simulation_parts.h"
@@ -12,13 +11,6 @@ namespace hooke {
 namespace {
 
 constexpr std::string_view sweep_name = "sleep";
-
-/// Whose message says which function was called in vain.
-void require_particle(const std::string& function, Index particle, std::size_t particles) {
-  if (particle < particles) return;
-  throw std::out_of_range(function + ": there is no particle " + std::to_string(particle) +
-                          "; give one below " + std::to_string(particles));
-}
 
 }  // namespace
 
@@ -91,23 +83,7 @@ void Simulation<Real>::Parts::rest_until(double time) {
   ++steps;
 }
 
-template <class Real>
-bool Simulation<Real>::is_asleep(Index particle) const {
-  require_particle("is_asleep", particle, particle_count());
-  return parts_->sleepers && parts_->model.islands->particle_sleeps(particle);
-}
-
-template <class Real>
-void Simulation<Real>::wake(Index particle) {
-  require_particle("wake", particle, particle_count());
-  parts_->wake(particle);
-}
-
 template struct Simulation<float>::Parts;
 template struct Simulation<double>::Parts;
-template bool Simulation<float>::is_asleep(Index) const;
-template bool Simulation<double>::is_asleep(Index) const;
-template void Simulation<float>::wake(Index);
-template void Simulation<double>::wake(Index);
 
 }  // namespace hooke

@@ -5,6 +5,7 @@
 #include "collide/pose_of.h"
 #include "collide/solid_bounds.h"
 #include "effects/effect_functions.h"
+#include "effects/in_no_step.h"
 #include "effects/penalty_collider.h"
 #include "effects/rigid_path_checks.h"
 #include "scene/number_text.h"
@@ -190,14 +191,6 @@ class Colliders final : public CompiledEffect<Real> {
   std::vector<std::uint16_t> free_;      ///< of each block the lanes of particles that are not pinned
 };
 
-/// A collider whose work another one does.
-template <class Real>
-class WithTheFirst final : public CompiledEffect<Real> {
- public:
-  unsigned parts() const override { return 0; }
-  Stage stage() const override { return {}; }
-};
-
 /// Of those that put particles back, or of those that are forces.
 bool is_first_of_its_kind(const Collider& collider, const Scene& scene) {
   for (const Effect& effect : scene.effects) {
@@ -252,7 +245,7 @@ void check_penalty(const Collider& collider, const ElementChecks& checks) {
 
 template <class Real>
 EffectPointer<Real> compile_effect(const Collider& collider, const EffectContext<Real>& context) {
-  if (!is_first_of_its_kind(collider, context.scene)) return std::make_unique<WithTheFirst<Real>>();
+  if (!is_first_of_its_kind(collider, context.scene)) return std::make_unique<InNoStep<Real>>();
   if (is_penalty(collider)) return penalty_colliders(context);
   return std::make_unique<Colliders<Real>>(context);
 }

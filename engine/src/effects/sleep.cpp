@@ -2,23 +2,14 @@
 #include <string>
 
 #include "effects/effect_functions.h"
+#include "effects/in_no_step.h"
 
 namespace hooke {
-namespace {
 
 /// Simulation does it, between steps (simulation_sleep.cpp).
 template <class Real>
-class BetweenSteps final : public CompiledEffect<Real> {
- public:
-  unsigned parts() const override { return 0; }
-  Stage stage() const override { return {}; }
-};
-
-}  // namespace
-
-template <class Real>
 EffectPointer<Real> compile_effect(const Sleep&, const EffectContext<Real>&) {
-  return std::make_unique<BetweenSteps<Real>>();
+  return std::make_unique<InNoStep<Real>>();
 }
 
 template EffectPointer<float> compile_effect(const Sleep&, const EffectContext<float>&);

@@ -2,18 +2,11 @@
 #include <string>
 
 #include "effects/effect_functions.h"
+#include "effects/in_no_step.h"
 #include "effects/named_springs.h"
 
 namespace hooke {
 namespace {
-
-/// It changes the scene, not a step: Simulation does it (simulation_tearing.cpp).
-template <class Real>
-class BetweenSteps final : public CompiledEffect<Real> {
- public:
-  unsigned parts() const override { return 0; }
-  Stage stage() const override { return {}; }
-};
 
 /// For each particle whether it is a corner of the surface around a gas or a volume.
 std::vector<bool> corners_of_closed_surfaces(const Scene& scene) {
@@ -53,9 +46,10 @@ void check_closed_surfaces(const Tearing& tearing, const Scene& scene, const Ele
 
 }  // namespace
 
+/// It changes the scene, not a step: Simulation does it (simulation_tearing.cpp).
 template <class Real>
 EffectPointer<Real> compile_effect(const Tearing&, const EffectContext<Real>&) {
-  return std::make_unique<BetweenSteps<Real>>();
+  return std::make_unique<InNoStep<Real>>();
 }
 
 template EffectPointer<float> compile_effect(const Tearing&, const EffectContext<float>&);
