@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "collide/awake_surface.h"
 #include "collide/close_pairs.h"
@@ -114,6 +115,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
  private:
   static constexpr std::size_t particles_in_run = 4096;
+  static constexpr Index none = ~Index{0};
 
   void keep_apart(const StepResult<Real>& result, bool is_tangled, Executor& executor) {
     load(result, executor);
@@ -249,9 +251,11 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       touches = true;
       for (const SurfaceContact& contact : contacts) awake_.note_touch(contact.particles);
       pushed_far_ = push(contacts, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
-      choose_touching(contacts, round > 0);
+      note_pushed(contacts);
       if (!pushed_far_) break;
     }
+    // What a later round has found to be pinched takes part in no contact.
+    std::erase_if(touching_, [&](const SurfaceContact& contact) { return masses_.takes_pinched(contact); });
     if (untangling_) add_pulls();
     settle(result.h, executor);
     return touches;
@@ -277,18 +281,34 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return furthest;
   }
 
-  /// The contacts that push, for velocities; and with pushes in several rounds, all that touch after them.
-  void choose_touching(const std::vector<SurfaceContact>& contacts, bool again) {
-    touching_.clear();
+  /// The contacts that pushed, for velocities. Those of every round: what one has pushed apart, the next
+  /// finds apart, with the speed that it had.
+  void note_pushed(const std::vector<SurfaceContact>& contacts) {
+    forget_pushed_again(contacts);
     const std::vector<Vec3>& obstacles = obstacles_.velocities();
     const std::size_t pairs = contacts.size() - obstacles.size();
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const bool touches = again && contacts[c].gap(end_) < 1e-3 * collision_.thickness;
-      if (!touches && !sweeps_.pushed(c)) continue;
+      if (!sweeps_.pushed(c)) continue;
       touching_.push_back(contacts[c]);
       touching_.back().held = c < pairs ? Vec3::Zero().eval() : obstacles[c - pairs];
       touching_.back().least = touching_.back().normal.dot(touching_.back().held);
     }
+  }
+
+  /// Pairs that push in a later round again are known by that one. These are looked up by their first
+  /// particle.
+  void forget_pushed_again(const std::vector<SurfaceContact>& contacts) {
+    if (touching_.empty()) return;
+    last_of_.resize(start_.size(), none), one_before_.resize(contacts.size());
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      if (sweeps_.pushed(c)) one_before_[c] = std::exchange(last_of_[contacts[c].particles[0]], Index(c));
+    }
+    std::erase_if(touching_, [&](const SurfaceContact& contact) {
+      Index c = last_of_[contact.particles[0]];
+      while (c != none && contacts[c].particles != contact.particles) c = one_before_[c];
+      return c != none;
+    });
+    for (const SurfaceContact& contact : contacts) last_of_[contact.particles[0]] = none;
   }
 
   /// What crosses does not go further in.
@@ -350,6 +370,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   std::optional<Untangling> untangling_;
   std::vector<ClosePair> kept_apart_;
   std::vector<SurfaceContact> touching_;
+  std::vector<Index> last_of_, one_before_;  ///< of a round's contacts that push, by their first particle
   Places before_;
   std::size_t left_ = 0, crossings_ = 0;
   bool pushed_far_ = false;
