@@ -200,10 +200,9 @@ template <class Real>
 void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
   require_particle("apply_impulse", particle, particle_count());
   Parts& p = *parts_;
-  p.wake(particle);
   const Index e = p.model.order.engine(particle);
   const State<Real>& whole = p.whole_state();
-  const Vec3 change = impulse * double(p.model.inverse_mass[e]);
+  const Vec3 change = impulse * double(p.model.inverse_mass_awake()[e]);
   const Eigen::Matrix<Real, 3, 1> velocity =
       (whole.velocity(e).template cast<double>() + change).template cast<Real>();
   if (!velocity.allFinite()) {
@@ -213,6 +212,7 @@ void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
   // A kick that is still pending goes first: its forces may depend on the velocity before the impulse.
   State<Real>& now = p.states.now();
   if (now.pending_kick != 0.0) now = whole;
+  p.wake(particle);
   if (p.watch && !p.model.pinned(e)) {
     const Vec3 mean = 0.5 * (now.velocity(e) + velocity).template cast<double>();
     p.watch->add_work(impulse.dot(mean));

@@ -68,7 +68,7 @@ void Simulation<Real>::Parts::take_sleeping_steps(std::uint64_t count, Report& r
     add_step(step, report);
     if (!step.ok()) break;
     start = WallClock::now();
-    forces.effects().note_touches(*model.islands);
+    forces.effects().note_touches(states.now(), *executor, *model.islands);
     sleepers->end_step(states, *executor);
     follow_sleepers();
     lap();

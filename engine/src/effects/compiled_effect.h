@@ -79,9 +79,8 @@ class CompiledEffect {
     if (calls_user()) disturbed.all();
   }
 
-  /// Notes who touches whom, as far as the forces of the last stage know. What corrections keep apart they
-  /// note then.
-  virtual void note_touches(Islands&) const {}
+  /// Notes who presses on whom in a state, by its force. What corrections keep apart they note then.
+  virtual void note_touches(const State<Real>& /*state*/, Executor&, Islands&) {}
 
   /// Changes the result of a step in place, for the blocks [begin, end) and looking at these alone.
   virtual void correct_strip(const StepResult<Real>&, std::size_t /*begin*/, std::size_t /*end*/) const {}

@@ -98,8 +98,8 @@ class EffectList {
     for (const EffectPointer<Real>& effect : effects_) effect->frames_changed();
   }
   bool leads(Index particle) const;
-  void note_touches(Islands& islands) const {
-    for (const EffectPointer<Real>& effect : effects_) effect->note_touches(islands);
+  void note_touches(const State<Real>& state, Executor& executor, Islands& islands) {
+    for (const EffectPointer<Real>& effect : effects_) effect->note_touches(state, executor, islands);
   }
   void disturb(double from, double to, Disturbances& disturbed) const {
     for (const EffectPointer<Real>& effect : effects_) effect->disturb(from, to, disturbed);

@@ -173,7 +173,9 @@ class GrainForce final : public CompiledEffect<Real> {
     });
   }
 
-  void note_touches(Islands& islands) const override {
+  /// What it finds is of use to the next step, too.
+  void note_touches(const State<Real>& state, Executor& executor, Islands& islands) override {
+    prepare(state, state.time, executor);
     for (std::size_t p = 0; p < touches_.size(); ++p) {
       const GrainPair& pair = pairs_.pairs()[p];
       if (touches_[p].energy > Real(0)) islands.note_touch(pair.first, pair.second);
