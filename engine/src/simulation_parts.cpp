@@ -79,6 +79,15 @@ Simulation<Real>::Parts::Parts(const Scene& scene, Settings given, const StepBou
   }
 }
 
+/// With no more room than for one more.
+template <class Real>
+void Simulation<Real>::Parts::show_between_steps(Stage stage, std::string_view sweep) {
+  plan.shown.stages.reserve(plan.shown.stages.size() + 1);
+  plan.shown.stages.push_back(std::move(stage));
+  times.reserve(times.size() + 1);
+  times.push_back({sweep, 0.0});
+}
+
 template <class Real>
 Energy Simulation<Real>::Parts::energy() {
   const State<Real>& now = whole_state();

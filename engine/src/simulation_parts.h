@@ -111,6 +111,9 @@ struct Simulation<Real>::Parts {
   void take_awake_steps(std::uint64_t count, Report& report);
   void rest_until(double time);
 
+  /// Adds what is done between steps to what is shown of the plan, and to what is timed.
+  void show_between_steps(Stage stage, std::string_view sweep);
+
   /// Of a sweep of the plan, or of what is done between steps.
   SweepTime& time_of(std::string_view sweep) { return *std::ranges::find(times, sweep, &SweepTime::sweep); }
 

@@ -17,12 +17,12 @@ constexpr std::string_view sweep_name = "sleep";
 template <class Real>
 void Simulation<Real>::Parts::begin_sleep(const Sleep& sleep) {
   sleepers.emplace(sleep, model, settings.step);
-  plan.shown.stages.push_back({std::string(Sleep::name),
-                               std::string(sweep_name),
-                               {"position", "velocity"},
-                               {"blocks of particles that steps work on"},
-                               sleepers->bytes()});
-  times.push_back({sweep_name, 0.0});
+  show_between_steps({std::string(Sleep::name),
+                      std::string(sweep_name),
+                      {"position", "velocity"},
+                      {"blocks of particles that steps work on"},
+                      sleepers->bytes()},
+                     sweep_name);
 }
 
 template <class Real>

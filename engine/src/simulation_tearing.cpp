@@ -56,12 +56,12 @@ void Simulation<Real>::Parts::begin_tearing(Tears<Real> made) {
   tears.emplace(std::move(made));
   const std::size_t bytes =
       tears->springs.bytes() + bytes_of(*tears->start) + (tears->torn() ? bytes_of(*tears->now) : 0);
-  plan.shown.stages.push_back({std::string(Tearing::name),
-                               std::string(sweep_name),
-                               {"position"},
-                               {"particles", "springs", "triangles"},
-                               bytes});
-  times.push_back({sweep_name, 0.0});
+  show_between_steps({std::string(Tearing::name),
+                      std::string(sweep_name),
+                      {"position"},
+                      {"particles", "springs", "triangles"},
+                      bytes},
+                     sweep_name);
 }
 
 template <class Real>

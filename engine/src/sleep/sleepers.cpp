@@ -158,10 +158,12 @@ template <class Real>
 void Sleepers<Real>::put_to_sleep(const std::vector<Index>& groups, StateRing<Real>& states) {
   std::vector<char> stays_awake(islands_.size(), 0);
   for (Index island = 0; island < islands_.size(); ++island) {
-    if (islands_.sleeps(island)) continue;
+    if (!islands_.sleeps(island) && steps_at_rest_[island] < enough_) stays_awake[groups[island]] = 1;
+  }
+  for (Index island = 0; island < islands_.size(); ++island) {
+    if (islands_.sleeps(island) || stays_awake[groups[island]] != 0) continue;
     around_[island] = around(island, states.now());
-    if (steps_at_rest_[island] < enough_ || is_disturbed(island, around_[island]))
-      stays_awake[groups[island]] = 1;
+    if (is_disturbed(island, around_[island])) stays_awake[groups[island]] = 1;
   }
   for (Index island = 0; island < islands_.size(); ++island) {
     if (islands_.sleeps(island) || stays_awake[groups[island]] != 0) continue;
