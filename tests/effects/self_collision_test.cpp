@@ -117,29 +117,26 @@ TEST_CASE("self-collision: ten layers come to rest on a plane without crossings"
 }
 
 TEST_CASE("self-collision: what lies on cloth keeps none of the speed of its falls") {
-  for (const double friction : {0.0, 0.3}) {
-    for (const Method& method : {Method{SymplecticEuler{}}, Method{BackwardEuler{}}}) {
-      CAPTURE(friction);
-      CAPTURE(to_string(method));
-      Scene scene;
-      for (const double height : {1e-3, 0.03}) {
-        ClothGrid sheet{.columns = 8, .rows = 8, .spacing = 0.02, .areal_density = 0.5, .stretch = 50.0};
-        sheet.shear = 25.0, sheet.bend = 0.5, sheet.damping = 0.01;
-        sheet.placement = {.translation = {0.0, height, 0.1 * height},
-                           .rotation_axis = {1.0, 0.0, 0.0},
-                           .rotation_degrees = -90.0};
-        add(scene, sheet);
-      }
-      scene.effects = {Gravity{}, Collider{.shape = PlaneShape{}, .thickness = 1e-3, .friction = 0.5},
-                       SelfCollision{.thickness = 2e-3, .friction = friction}};
-      Simulation<double> simulation(scene, {.method = method, .step = 5e-3, .threads = 1});
-      REQUIRE(simulation.step(200).ok());
-      // A step of gravity is 0.05 m/s; without friction the sheets slide to and fro by some cm/s.
-      double fastest = 0.0;
-      for (Index i = 0; i < scene.particles.size(); ++i)
-        fastest = std::max(fastest, std::abs(velocity(simulation, i).y()));
-      CHECK(fastest < 0.03);
+  for (const Method& method : {Method{SymplecticEuler{}}, Method{BackwardEuler{}}}) {
+    CAPTURE(to_string(method));
+    Scene scene;
+    for (const double height : {1e-3, 0.03}) {
+      ClothGrid sheet{.columns = 8, .rows = 8, .spacing = 0.02, .areal_density = 0.5, .stretch = 50.0};
+      sheet.shear = 25.0, sheet.bend = 0.5, sheet.damping = 0.01;
+      sheet.placement = {.translation = {0.0, height, 0.1 * height},
+                         .rotation_axis = {1.0, 0.0, 0.0},
+                         .rotation_degrees = -90.0};
+      add(scene, sheet);
     }
+    scene.effects = {Gravity{}, Collider{.shape = PlaneShape{}, .thickness = 1e-3, .friction = 0.5},
+                     SelfCollision{.thickness = 2e-3, .friction = 0.3}};
+    Simulation<double> simulation(scene, {.method = method, .step = 5e-3, .threads = 1});
+    REQUIRE(simulation.step(200).ok());
+    // A step of gravity is 0.05 m/s.
+    double fastest = 0.0;
+    for (Index i = 0; i < scene.particles.size(); ++i)
+      fastest = std::max(fastest, std::abs(velocity(simulation, i).y()));
+    CHECK(fastest < 0.03);
   }
 }
 

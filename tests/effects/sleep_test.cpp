@@ -155,8 +155,7 @@ TEST_CASE_TEMPLATE("sleepers have the same bits on any number of threads, and af
   Resting resting;
   resting.scene.effects.push_back(SelfCollision{.thickness = thickness});
   lay_cloth(resting.scene, {0.5, 0.4, 0.0});  // falls on the second one
-  for (const Method& method :
-       {Method{SymplecticEuler{}}, Method{Verlet{}}, Method{Bdf2{}}, Method{VertexBlockDescent{}}}) {
+  for (const Method& method : {Method{Verlet{}}, Method{Bdf2{}}, Method{VertexBlockDescent{}}}) {
     CAPTURE(to_string(method));
     Simulation<Real> one(resting.scene, {.method = method, .step = 5e-3, .threads = 1});
     Simulation<Real> three(resting.scene, {.method = method, .step = 5e-3, .threads = 3});
