@@ -15,6 +15,10 @@ constexpr double crowd = 8.0;
 /// the margin.
 constexpr double most_ahead = 500.0, least_ahead = 0.2, share_ahead = 0.75;
 
+/// Where cloth lies on cloth they are looked for in the middle of the step instead: what rests falls in each
+/// step and is pushed back, and both places are half as far from there.
+constexpr double middle = -0.5;
+
 /// What is so many margins away counts as far, and may move so much before pairs are found anew.
 constexpr double far_margins = 16.0;
 
@@ -59,7 +63,7 @@ bool LastingPairs<Real>::find(const StepResult<Real>& result, const Places& star
   hold_ = false;
   if (!are_finite(start, end)) return false;  // such a step is not taken
   margin_ = is_crowd_ ? margins_.narrow : margins_.wide;
-  look(result, 0.0, executor);
+  look(result, is_crowd_ ? middle : 0.0, executor);
   hold_ = moved_ <= margin_;
   if (hold_ && !is_crowd_) look_ahead(result, executor);
   // What is fast is looked at along its way in this step alone.

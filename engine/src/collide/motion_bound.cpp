@@ -59,7 +59,7 @@ void MotionBound<Real>::Places::move_on(const State<Real>& start, const State<Re
 template <class Real>
 void MotionBound<Real>::look(const State<Real>& start, const State<Real>& next, double ahead) {
   looked_.remember(next);
-  if (ahead > 0.0) looked_.move_on(start, next, Real(ahead));
+  if (ahead != 0.0) looked_.move_on(start, next, Real(ahead));
   measured_ = looked_;
   near_moved_ = all_moved_ = 0.0;
 }

@@ -26,7 +26,8 @@ class MotionBound {
   /// The particles' numbers in the engine's order, sorted.
   explicit MotionBound(const std::vector<Index>& particles);
 
-  /// Remembers where they are going to be after `ahead` more steps like this one. choose_near() must follow.
+  /// Remembers where they are going to be after `ahead` more steps like this one, or were before, where that
+  /// is negative. choose_near() must follow.
   void look(const State<Real>& start, const State<Real>& next, double ahead);
 
   /// Two of them are near each other where they are less than `far` [m] apart there; farther ones may come
