@@ -116,8 +116,8 @@ TEST_CASE("self-collision: ten layers come to rest on a plane without crossings"
   CHECK(position(simulation, Index(scene.particles.size()) - 1).y() > 9.0 * thickness);
 }
 
-TEST_CASE("self-collision: what lies on cloth keeps none of the speed of its falls") {
-  for (const Method& method : {Method{SymplecticEuler{}}, Method{BackwardEuler{}}}) {
+TEST_CASE("self-collision: cloth that has fallen on cloth comes to rest") {
+  for (const Method& method : {Method{SymplecticEuler{}}, Method{BackwardEuler{}}, Method{Xpbd{}}}) {
     CAPTURE(to_string(method));
     Scene scene;
     for (const double height : {1e-3, 0.03}) {
@@ -131,12 +131,12 @@ TEST_CASE("self-collision: what lies on cloth keeps none of the speed of its fal
     scene.effects = {Gravity{}, Collider{.shape = PlaneShape{}, .thickness = 1e-3, .friction = 0.5},
                      SelfCollision{.thickness = 2e-3, .friction = 0.3}};
     Simulation<double> simulation(scene, {.method = method, .step = 5e-3, .threads = 1});
-    REQUIRE(simulation.step(200).ok());
+    REQUIRE(simulation.step(400).ok());
     // A step of gravity is 0.05 m/s.
     double fastest = 0.0;
     for (Index i = 0; i < scene.particles.size(); ++i)
-      fastest = std::max(fastest, std::abs(velocity(simulation, i).y()));
-    CHECK(fastest < 0.03);
+      fastest = std::max(fastest, velocity(simulation, i).norm());
+    CHECK(fastest < 2e-3);
   }
 }
 

@@ -51,18 +51,26 @@ struct Four {
   }
 };
 
-/// What is left of a difference r along the surface, of which a push so deep can hold a share; the fourth
-/// value is of no meaning and left out.
-HWY_INLINE Four held_back(const PackedContact& contact, const Four& r, const Four& normal, double depth) {
+/// What friction holds back of a difference r along the surface, beyond what it has held back so far: all
+/// together as much as all pushes together can hold. The fourth value of r is of no meaning and left out.
+HWY_INLINE Four hold_back(PackedContact& contact, const Four& r, const Four& normal) {
   alignas(64) static constexpr double three[4] = {1.0, 1.0, 1.0, 0.0};
   const Four moved = r.plus(-1.0, Four::load(contact.held.data())), space = Four::load(three);
   Four along = moved.plus(-moved.dot(normal), normal);
   for (std::size_t p = 0; p < Four::parts; ++p) along.part[p] = hn::Mul(along.part[p], space.part[p]);
-  const double length = std::sqrt(along.dot(along)), most = contact.friction * depth;
-  return along.times(length > most ? most / length : 1.0);
+  const Four before = Four::load(contact.held_back.data());
+  Four all = before.plus(1.0, along);
+  const double length = std::sqrt(all.dot(all)), most = contact.friction * contact.pushed;
+  if (length > most) all = all.times(most / length);
+  all.store(contact.held_back.data());
+  return all.plus(-1.0, before);
 }
 
-HWY_INLINE double push(const PackedContact& contact, double* values) {
+/// Pushes go further than to where the contact is kept, by this factor, as what they push is pushed back by
+/// others: a stack of n layers then takes some n sweeps in place of n^2 (Cryer 1971).
+constexpr double over_relaxation = 1.5;
+
+HWY_INLINE double push(PackedContact& contact, double* values) {
   double* at[4];
   Four four[4];
   for (std::size_t k = 0; k < 4; ++k) {
@@ -72,26 +80,24 @@ HWY_INLINE double push(const PackedContact& contact, double* values) {
   Four r = four[0].times(contact.weights[0]);
   for (std::size_t k = 1; k < 4; ++k) r = r.plus(contact.weights[k], four[k]);
   const Four normal = Four::load(contact.normal.data());
-  const double depth = contact.least - r.dot(normal);
-  if (!(depth > 0.0)) return 0.0;
+  const double lacks = contact.least - r.dot(normal);
+  if (contact.pushed == 0.0 && !(lacks > 0.0)) return 0.0;
+  const double depth = std::max(over_relaxation * lacks, -contact.pushed);
+  contact.pushed += depth;
   Four change = normal.times(depth);
-  if (contact.friction > 0.0) change = change.plus(-1.0, held_back(contact, r, normal, depth));
+  if (contact.friction > 0.0) change = change.plus(-1.0, hold_back(contact, r, normal));
   for (std::size_t k = 0; k < 4; ++k) {
     const double share = contact.weights[k] * at[k][3] * contact.mass;
     if (share != 0.0) four[k].plus(share, change).store(at[k]);
   }
-  return depth;
+  return std::abs(depth) / over_relaxation;
 }
 
 }  // namespace
 
-double push_all(std::span<const PackedContact> contacts, double* values, unsigned char* pushes) {
+double push_all(std::span<PackedContact> contacts, double* values) {
   double most = 0.0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const double depth = push(contacts[c], values);
-    pushes[c] = depth > 0.0 ? 1 : 0;
-    most = std::max(most, depth);
-  }
+  for (PackedContact& contact : contacts) most = std::max(most, push(contact, values));
   return most;
 }
 
@@ -104,8 +110,8 @@ namespace hooke {
 
 HWY_EXPORT(push_all);
 
-double push_contacts(std::span<const PackedContact> contacts, PackedValues values, unsigned char* pushes) {
-  return HWY_DYNAMIC_DISPATCH(push_all)(contacts, values, pushes);
+double push_contacts(std::span<PackedContact> contacts, PackedValues values) {
+  return HWY_DYNAMIC_DISPATCH(push_all)(contacts, values);
 }
 
 }  // namespace hooke

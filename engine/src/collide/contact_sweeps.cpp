@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 #include "parallel/sum.h"
 
@@ -45,8 +44,6 @@ ContactSweeps::ContactSweeps(const std::vector<double>& inverse_mass)
 void ContactSweeps::set(const std::vector<SurfaceContact>& contacts, Executor& executor) {
   choose_colours(contacts);
   contacts_.resize(contacts.size());
-  pushed_.resize(contacts.size());
-  pushes_.resize(contacts.size());
   executor.parallel_for(contacts.size(), contacts_in_run, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) contacts_[place_[c]] = packed(contacts[c]);
   });
@@ -58,6 +55,8 @@ PackedContact ContactSweeps::packed(const SurfaceContact& contact) const {
                        contact.weights,
                        contact.least,
                        contact.friction,
+                       0.0,
+                       {},
                        0.0,
                        {}};
   double sum = 0.0, largest = 0.0;
@@ -131,37 +130,34 @@ void ContactSweeps::store(std::vector<Vec3>& values) const {
   for (std::size_t m = 0; m < met_.size(); ++m) values[met_[m]] = Eigen::Map<const Vec3>(&values_[4 * m]);
 }
 
-std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, double share, double least, std::uint64_t most,
+std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, const Enough& enough, std::uint64_t most,
                                  Executor& executor) {
   load(values);
-  std::fill(pushed_.begin(), pushed_.end(), std::uint8_t(0));
-  double enough = least;
+  double at_end = enough.least;
   std::uint64_t sweeps = 0;
   while (sweeps < most) {
-    const double asked = sweep(contacts_, colour_begin_, pushes_, executor);
-    if (sweeps == 0) enough = std::max(least, share * asked);
+    const double asked = sweep(contacts_, colour_begin_, executor);
+    if (sweeps == 0) at_end = std::clamp(enough.share * asked, enough.least, enough.most);
     ++sweeps;
-    for (std::size_t c = 0; c < pushed_.size(); ++c) pushed_[c] |= pushes_[c];
-    if (!(asked > enough)) break;
+    if (!(asked > at_end)) break;
     if (!choose_active(executor)) continue;
     for (std::uint64_t n = 0; n < active_sweeps && sweeps < most; ++n) {
       ++sweeps;
-      if (!(sweep(active_, active_begin_, active_pushes_, executor) > enough)) break;
+      if (!(sweep(active_, active_begin_, executor) > at_end)) break;
     }
+    for_each_active(executor, [](const PackedContact& active, PackedContact& contact) { contact = active; });
   }
   store(values);
   return sweeps;
 }
 
-double ContactSweeps::sweep(std::span<const PackedContact> contacts,
-                            const std::vector<std::size_t>& colour_begin, std::vector<unsigned char>& pushes,
+double ContactSweeps::sweep(std::span<PackedContact> contacts, const std::vector<std::size_t>& colour_begin,
                             Executor& executor) {
   double largest = 0.0;
   for (std::size_t colour = 0; colour + 1 < colour_begin.size(); ++colour) {
     const std::size_t first = colour_begin[colour];
     const auto part = [&](std::size_t begin, std::size_t end) {
-      return Largest{push_contacts(contacts.subspan(first + begin, end - begin), values_.data(),
-                                   &pushes[first + begin])};
+      return Largest{push_contacts(contacts.subspan(first + begin, end - begin), values_.data())};
     };
     const Largest asked =
         sum_in_order<Largest>(executor, colour_begin[colour + 1] - first, contacts_in_run, part, largest_);
@@ -170,31 +166,36 @@ double ContactSweeps::sweep(std::span<const PackedContact> contacts,
   return largest;
 }
 
-/// Those that pushed when all were looked at. Whether they are so much fewer that it pays.
+/// Those that push. Whether they are so much fewer that it pays.
 bool ContactSweeps::choose_active(Executor& executor) {
   active_begin_.assign(1, 0);
   for (std::size_t colour = 0; colour + 1 < colour_begin_.size(); ++colour) {
-    active_begin_.push_back(std::accumulate(pushes_.begin() + std::ptrdiff_t(colour_begin_[colour]),
-                                            pushes_.begin() + std::ptrdiff_t(colour_begin_[colour + 1]),
-                                            active_begin_.back()));
+    const auto pushing = std::count_if(contacts_.begin() + std::ptrdiff_t(colour_begin_[colour]),
+                                       contacts_.begin() + std::ptrdiff_t(colour_begin_[colour + 1]),
+                                       [](const PackedContact& contact) { return contact.pushed > 0.0; });
+    active_begin_.push_back(active_begin_.back() + std::size_t(pushing));
   }
   if (3 * active_begin_.back() > 2 * contacts_.size()) return false;
   active_.resize(active_begin_.back());
-  active_pushes_.resize(active_begin_.back());
+  for_each_active(executor, [](PackedContact& active, const PackedContact& contact) { active = contact; });
+  return true;
+}
+
+/// Each of those, and what it is one of.
+template <class Visit>
+void ContactSweeps::for_each_active(Executor& executor, const Visit& visit) {
   executor.parallel_for(active_begin_.size() - 1, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t colour = begin; colour < end; ++colour) {
       std::size_t next = active_begin_[colour];
       for (std::size_t c = colour_begin_[colour]; c < colour_begin_[colour + 1]; ++c) {
-        if (pushes_[c] != 0) active_[next++] = contacts_[c];
+        if (contacts_[c].pushed > 0.0) visit(active_[next++], contacts_[c]);
       }
     }
   });
-  return true;
 }
 
 std::size_t ContactSweeps::bytes() const {
-  return (contacts_.capacity() + active_.capacity()) * sizeof(PackedContact) + pushed_.capacity() +
-         pushes_.capacity() + active_pushes_.capacity() +
+  return (contacts_.capacity() + active_.capacity()) * sizeof(PackedContact) +
          (place_.capacity() + particles_.capacity() + met_.capacity() + met_place_.capacity()) *
              sizeof(Index) +
          (colour_begin_.capacity() + active_begin_.capacity()) * sizeof(std::size_t) +

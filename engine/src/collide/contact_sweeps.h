@@ -36,33 +36,40 @@ struct SurfaceContact {
 /// Whether a contact has a particle that can be moved.
 bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inverse_mass);
 
-/// Sweeps over contacts, of which each moves its particles so that it is kept, the lighter more (Bridson,
-/// Fedkiw, Anderson 2002; relaxed projections onto half spaces, Gubin, Polyak, Raik 1967): no move leads away
-/// from the states that keep all, and for velocities none adds kinetic energy, however early sweeps end.
-/// Friction takes of what slides at most its share of the same push. A contact's moves sum to zero when they
-/// are weighed by mass, so momentum is kept. Contacts of one colour share no particle: a sweep is the same on
-/// any number of threads.
+/// Sweeps over contacts, of which each moves its particles so that it is kept, the lighter more, and takes
+/// back what it has pushed too far, as others push, too (projected successive over-relaxation: Hildreth 1957,
+/// Cryer 1971; with friction: Jourdan, Alart, Jean 1998): that leads to the nearest state that keeps all,
+/// where pushes that are not taken back lead to some state beyond it, another one in each step, so that
+/// nothing would ever rest. No push leads away from the states that keep all, and for velocities none adds
+/// kinetic energy, however early sweeps end. Friction takes of what slides at most its share of all pushes of
+/// the contact: where these are taken back, so is what it took, as far as it is too much. A contact's moves
+/// sum to zero when they are weighed by mass, so momentum is kept. Contacts of one colour share no particle:
+/// a sweep is the same on any number of threads.
 ///
 /// Most contacts of a pile push in no sweep or in all of them, so most sweeps go over those only that pushed
 /// when all were looked at last; they end where all ask for little.
 class ContactSweeps {
  public:
+  /// Sweeps end where contacts ask for no more than `share` of what they asked for at first, but not before
+  /// that is at most `most`, nor after it is at most `least`.
+  struct Enough {
+    double share, least, most;
+  };
+
   /// [1/kg] of all particles, 0 of what is not moved.
   explicit ContactSweeps(const std::vector<double>& inverse_mass);
 
   /// The particles of these contacts, and of more that have no others, are those of the next runs.
   void find_particles(const std::vector<SurfaceContact>& contacts);
 
-  /// The contacts of the next runs. Those none of whose particles can be moved must be left out.
+  /// The contacts of the next run. Those none of whose particles can be moved must be left out.
   void set(const std::vector<SurfaceContact>& contacts, Executor& executor);
 
-  /// Changes `values` of all particles until contacts ask for no more than `least`, or `share` of what they
-  /// asked for at first; at most so many times. Returns how often.
-  std::uint64_t run(std::vector<Vec3>& values, double share, double least, std::uint64_t most,
-                    Executor& executor);
+  /// Changes `values` of all particles until that is enough; in at most so many sweeps. Returns in how many.
+  std::uint64_t run(std::vector<Vec3>& values, const Enough& enough, std::uint64_t most, Executor& executor);
 
-  /// Whether a contact has pushed in the last run.
-  bool pushed(std::size_t contact) const { return pushed_[place_[contact]] != 0; }
+  /// Whether a contact has pushed in the last run, and not taken all of it back.
+  bool pushed(std::size_t contact) const { return contacts_[place_[contact]].pushed > 0.0; }
 
   /// All particles of the contacts that can be moved, sorted.
   const std::vector<Index>& particles() const { return particles_; }
@@ -79,17 +86,16 @@ class ContactSweeps {
   PackedContact packed(const SurfaceContact& contact) const;
   void load(const std::vector<Vec3>& values);
   void store(std::vector<Vec3>& values) const;
-  double sweep(std::span<const PackedContact> contacts, const std::vector<std::size_t>& colour_begin,
-               std::vector<unsigned char>& pushes, Executor& executor);
+  double sweep(std::span<PackedContact> contacts, const std::vector<std::size_t>& colour_begin,
+               Executor& executor);
   bool choose_active(Executor& executor);
+  template <class Visit>
+  void for_each_active(Executor& executor, const Visit& visit);
 
   const std::vector<double>& inverse_mass_;
   std::vector<PackedContact> contacts_;  ///< colour by colour
   std::vector<PackedContact> active_;    ///< those that pushed when all were looked at last, likewise
-  std::vector<unsigned char> pushes_;    ///< of each contact, when all were looked at last
-  std::vector<unsigned char> active_pushes_;
-  std::vector<unsigned char> pushed_;                     ///< of each contact, in this run
-  std::vector<Index> place_;                              ///< in `contacts_`, of each that was given
+  std::vector<Index> place_;             ///< in `contacts_`, of each that was given
   std::vector<std::size_t> colour_begin_, active_begin_;  ///< one more than there are colours
   std::vector<unsigned> colour_;                          ///< of each that was given
   std::vector<std::uint64_t> taken_;                      ///< of each particle: colours of its contacts

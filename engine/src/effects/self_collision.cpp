@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,12 +29,18 @@ constexpr int most_rounds = 4;
 /// How often zones may grow in a step.
 constexpr int most_zone_rounds = 50;
 
-/// Sweeps end where no pair is nearer than its thickness by more than this share of it.
-constexpr double depth_tolerance = 0.01;
+/// Sweeps end where nothing is too near, or approaches, by more than this share of the most at first: what
+/// lies on one another then sinks by that share of a step's fall and comes to rest.
+constexpr double tolerance = 0.03;
 
-/// Sweeps over velocities end where nothing approaches faster than this share of the highest speed at first,
-/// or than this share of the thickness in a step.
-constexpr double speed_tolerance = 0.03, speed_tolerance_of_thickness = 1e-5;
+/// And, however fast it came, by no more than this share of the thickness; what is less than that one does
+/// not count.
+constexpr double most_depth = 0.01, least_depth = 1e-5;
+
+/// Of places that may be so far from kept [m], or velocities [m/s].
+ContactSweeps::Enough enough(double thickness, double most) {
+  return {tolerance, least_depth * thickness, most * thickness};
+}
 
 /// The mean edge at the start [m].
 double mean_edge(const Surface& surface, const Places& places) {
@@ -269,7 +276,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
     const std::uint64_t sweeps =
-        sweeps_.run(end_, 0.0, depth_tolerance * collision_.thickness, collision_.sweeps, executor);
+        sweeps_.run(end_, enough(collision_.thickness, most_depth), collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
     left_ = 0;
     for (std::size_t c = 0; c < pairs; ++c) {
@@ -324,7 +331,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     sweeps_.find_particles(touching_);
     sweeps_.set(touching_, executor);
     const std::uint64_t sweeps =
-        sweeps_.run(velocity_, speed_tolerance, speed_tolerance_of_thickness * collision_.thickness / h,
+        sweeps_.run(velocity_, enough(collision_.thickness / h, std::numeric_limits<double>::infinity()),
                     collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
     if (left_ == 0) return;
