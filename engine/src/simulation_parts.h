@@ -49,7 +49,6 @@ struct Simulation<Real>::Parts {
   std::uint64_t steps = 0;
   double time_at_step_0 = 0.0;  ///< [s] not zero after a snapshot from steps of another length
   std::vector<SweepTime> times;
-  std::uint64_t islands_seen = 0;  ///< that the parts have followed
   std::optional<Report>
       stopped;  ///< of the trouble that stopped the run, until the state is set from outside
 

@@ -27,8 +27,7 @@ void Simulation<Real>::Parts::begin_sleep(const Sleep& sleep) {
 
 template <class Real>
 void Simulation<Real>::Parts::follow_sleepers() {
-  if (!model.islands_changed(islands_seen)) return;
-  model.follow_islands();
+  if (!model.follow_islands()) return;
   std::vector<std::size_t> awake;
   for (std::size_t tile = 0; tile < plan.tiles.count(); ++tile) {
     if (model.awake.any(plan.tiles.begin(tile), plan.tiles.end(tile))) awake.push_back(tile);

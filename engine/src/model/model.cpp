@@ -100,8 +100,8 @@ void Model<Real>::share_islands(const Model& other) {
 }
 
 template <class Real>
-void Model<Real>::follow_islands() {
-  if (!islands_changed(changes_followed_)) return;
+bool Model<Real>::follow_islands() {
+  if (!islands_changed(changes_followed_)) return false;
   inverse_mass = BlockRows<Real>(particles(),
                                  [&](std::size_t i) { return sleeps(i) ? Real(0) : inverse_mass_awake_[i]; });
   awake.choose(block_count(particles()), [&](std::size_t block) {
@@ -111,6 +111,7 @@ void Model<Real>::follow_islands() {
     }
     return false;
   });
+  return true;
 }
 
 template <class Real>

@@ -63,8 +63,8 @@ struct Model {
   }
 
   /// Takes note of which islands sleep: their particles are pinned, and blocks of which all sleep are
-  /// skipped.
-  void follow_islands();
+  /// skipped. Whether that has changed since it was called last.
+  bool follow_islands();
 
   /// [1/kg] of what sleeps, too; 0 where pinned, and in the padding.
   const BlockRows<Real>& inverse_mass_awake() const {

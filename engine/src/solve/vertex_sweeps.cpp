@@ -102,8 +102,7 @@ bool VertexSweeps<Real>::overlaps(const VertexStrip& strip, std::size_t first, s
 
 template <class Real>
 void VertexSweeps<Real>::follow_islands() {
-  if (!model_.islands_changed(islands_seen_)) return;
-  model_.follow_islands();
+  if (!model_.follow_islands()) return;
   awake_.choose(strips_.size(),
                 [&](std::size_t s) { return model_.awake.any(strips_[s].begin, strips_[s].end); });
   std::fill(changes_.begin(), changes_.end(), 0.0);

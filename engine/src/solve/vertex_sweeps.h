@@ -68,7 +68,6 @@ class VertexSweeps {
   std::vector<Colour> colours_;
   std::vector<VertexStrip> strips_;
   AwakeBlocks awake_;  ///< of strips
-  std::uint64_t islands_seen_ = 0;
   std::vector<double> changes_;  ///< for each strip
   State<Real> from_, now_;
   Real h_ = 0;
