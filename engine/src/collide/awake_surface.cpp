@@ -41,12 +41,7 @@ AwakeSurface<Real>::AwakeSurface(Surface whole, const Model<Real>& model, double
     : model_(model), reach_(reach), part_(std::move(whole)) {
   if (model.islands == nullptr) return;
   whole_ = part_;
-  begin_.assign(model.islands->size() + 2, 0);
-  for (const Index corner : whole_.corners) ++begin_[island_of(corner) + 2];
-  for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-  corners_.resize(whole_.corners.size());
-  for (const Index corner : whole_.corners) corners_[begin_[island_of(corner) + 1]++] = corner;
-  begin_.pop_back();
+  corners_ = IslandMembers(*model.islands, model.order, whole_.corners);
   around_.assign(model.islands->size(), nowhere());
   taken_.assign(model.islands->size(), 1);
 }
@@ -71,9 +66,9 @@ void AwakeSurface<Real>::look(const StepResult<Real>& result, bool asleep_too) {
   for (Index island = 0; island < around_.size(); ++island) {
     if (model_.islands->sleeps(island) && !asleep_too) continue;
     Bounds<double>& around = around_[island] = nowhere();
-    for (std::size_t c = begin_[island]; c < begin_[island + 1]; ++c) {
-      widen(around, result.start.position(corners_[c]).template cast<double>());
-      widen(around, result.next.position(corners_[c]).template cast<double>());
+    for (const Index corner : corners_.of(island)) {
+      widen(around, result.start.position(corner).template cast<double>());
+      widen(around, result.next.position(corner).template cast<double>());
     }
   }
 }
@@ -115,8 +110,8 @@ void AwakeSurface<Real>::take_part() {
 
 template <class Real>
 std::size_t AwakeSurface<Real>::bytes() const {
-  return corners_.capacity() * sizeof(Index) + begin_.capacity() * sizeof(std::size_t) +
-         around_.capacity() * sizeof(Bounds<double>) + taken_.capacity() + left_out_.bytes();
+  return corners_.bytes() + around_.capacity() * sizeof(Bounds<double>) + taken_.capacity() +
+         left_out_.bytes();
 }
 
 template class AwakeSurface<float>;

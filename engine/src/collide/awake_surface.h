@@ -6,6 +6,7 @@
 #include "collide/close_pairs.h"
 #include "collide/strip_bounds.h"
 #include "model/model.h"
+#include "sleep/island_members.h"
 #include "substep.h"
 
 namespace hooke {
@@ -49,8 +50,7 @@ class AwakeSurface {
   const Model<Real>& model_;
   double reach_;
   Surface whole_, part_;
-  std::vector<Index> corners_;          ///< of the whole surface, island by island
-  std::vector<std::size_t> begin_;      ///< of each island in them; one more than there are islands
+  IslandMembers corners_;               ///< of the whole surface
   std::vector<Bounds<double>> around_;  ///< each island's corners in this step [m]
   std::vector<char> taken_;             ///< of each island whether it is in the part
   BoundsList<double> left_out_;         ///< around islands that are not, wider by the reach

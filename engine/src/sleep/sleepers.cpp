@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "sleep/joined_parts.h"
 
@@ -25,6 +26,12 @@ std::uint32_t steps_in(double time, double step) {
   return std::uint32_t(std::clamp(std::ceil(time / step), 1.0, double(asleep - 1)));
 }
 
+std::vector<Index> all_below(std::size_t count) {
+  std::vector<Index> all(count);
+  std::iota(all.begin(), all.end(), Index{0});
+  return all;
+}
+
 }  // namespace
 
 template <class Real>
@@ -34,24 +41,19 @@ Sleepers<Real>::Sleepers(const Sleep& sleep, const Model<Real>& model, double st
       square_speed_(sleep.speed * sleep.speed),
       step_(step),
       enough_(steps_in(sleep.time, step)),
-      begin_(islands_.size() + 2, 0),
-      particles_(model.particles()),
+      members_(islands_, model.order, all_below(model.particles())),
       steps_at_rest_(islands_.size(), 0),
       group_(islands_.size(), 0),
       around_(islands_.size()),
       never_(islands_.size(), 0),
       disturbed_(islands_.size(), 0) {
-  const auto island_of = [&](Index e) { return islands_.of(model_.order.user(e)); };
-  for (Index e = 0; e < particles_.size(); ++e) ++begin_[island_of(e) + 2];
-  for (std::size_t i = 2; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-  for (Index e = 0; e < particles_.size(); ++e) particles_[begin_[island_of(e) + 1]++] = e;
-  begin_.pop_back();
   for (Index island = 0; island < islands_.size(); ++island) {
-    for (std::size_t first = begin_[island]; first < begin_[island + 1]; first += most_in_piece)
-      pieces_.push_back({island, first, std::min(first + most_in_piece, begin_[island + 1]), first});
+    const std::span<const Index> members = members_.of(island);
+    for (std::size_t first = 0; first < members.size(); first += most_in_piece)
+      pieces_.push_back({island, members.subspan(first, std::min(most_in_piece, members.size() - first))});
   }
   for (const HeldParticle& held : model.held_between(0, model.particles()))
-    never_[island_of(held.particle)] = 1;
+    never_[islands_.of(model.order.user(held.particle))] = 1;
 }
 
 template <class Real>
@@ -104,9 +106,8 @@ void Sleepers<Real>::end_step(StateRing<Real>& states, Executor& executor) {
 /// end of each step may have a velocity that leads nowhere, and rounding moves what lies still far from the
 /// origin.
 template <class Real>
-bool Sleepers<Real>::moves(std::size_t place, const StateRing<Real>& states) const {
+bool Sleepers<Real>::moves(Index i, const StateRing<Real>& states) const {
   constexpr double roundings = 4.0 * double(std::numeric_limits<Real>::epsilon());
-  const Index i = particles_[place];
   const State<Real>& now = states.now();
   if (!(square(now.velocity(i)) > square_speed_)) return false;
   const Eigen::Matrix<Real, 3, 1> way = now.position(i) - states.before().position(i);
@@ -115,10 +116,10 @@ bool Sleepers<Real>::moves(std::size_t place, const StateRing<Real>& states) con
 
 template <class Real>
 void Sleepers<Real>::look(Piece& piece, const StateRing<Real>& states) const {
-  const std::size_t count = piece.end - piece.begin;
+  const std::size_t count = piece.particles.size();
   for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t place = piece.begin + (piece.witness - piece.begin + n) % count;
-    if (!moves(place, states)) continue;
+    const std::size_t place = (piece.witness + n) % count;
+    if (!moves(piece.particles[place], states)) continue;
     piece.witness = place;
     piece.at_rest = false;
     return;
@@ -176,7 +177,7 @@ void Sleepers<Real>::put_to_sleep(const std::vector<Index>& groups, StateRing<Re
 /// As it is in the newest state, so in all.
 template <class Real>
 void Sleepers<Real>::stop(Index island, StateRing<Real>& states) const {
-  for (const Index i : particles_of(island)) {
+  for (const Index i : members_.of(island)) {
     const Eigen::Matrix<Real, 3, 1> place = states.now().position(i);
     for (State<Real>& state : states.all()) {
       state.set_position(i, place);
@@ -189,7 +190,7 @@ template <class Real>
 auto Sleepers<Real>::around(Index island, const State<Real>& state) const -> Box {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Box box{Vec3::Constant(infinite), Vec3::Constant(-infinite)};
-  for (const Index i : particles_of(island)) {
+  for (const Index i : members_.of(island)) {
     const Vec3 place = state.position(i).template cast<double>();
     box.low = box.low.cwiseMin(place);
     box.high = box.high.cwiseMax(place);
@@ -243,14 +244,13 @@ template <class Real>
 std::size_t Sleepers<Real>::particles_asleep() const {
   std::size_t found = 0;
   for (Index island = 0; island < islands_.size(); ++island)
-    found += islands_.sleeps(island) ? particles_of(island).size() : 0;
+    found += islands_.sleeps(island) ? members_.of(island).size() : 0;
   return found;
 }
 
 template <class Real>
 std::size_t Sleepers<Real>::bytes() const {
-  return begin_.capacity() * sizeof(std::size_t) + particles_.capacity() * sizeof(Index) +
-         pieces_.capacity() * sizeof(Piece) +
+  return members_.bytes() + pieces_.capacity() * sizeof(Piece) +
          islands_.size() * (sizeof(std::uint32_t) + sizeof(Index) + sizeof(Box) + 2);
 }
 

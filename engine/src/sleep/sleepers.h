@@ -10,6 +10,7 @@
 #include "effects/effect_list.h"
 #include "model/model.h"
 #include "sleep/disturbances.h"
+#include "sleep/island_members.h"
 #include "state_ring.h"
 
 namespace hooke {
@@ -47,11 +48,11 @@ class Sleepers final : Disturbances {
   std::size_t bytes() const;
 
  private:
-  /// A part of an island, in places of particles_.
+  /// A part of an island.
   struct Piece {
     Index island;
-    std::size_t begin, end;
-    std::size_t witness;  ///< that moved when the piece was looked at last
+    std::span<const Index> particles;
+    std::size_t witness = 0;  ///< the place of the one that moved when the piece was looked at last
     bool at_rest = false;
   };
 
@@ -70,7 +71,7 @@ class Sleepers final : Disturbances {
 
   void disturb_moved_pins(double from, double to);
   bool is_disturbed(Index island, const Box& around) const;
-  bool moves(std::size_t place, const StateRing<Real>& states) const;
+  bool moves(Index particle, const StateRing<Real>& states) const;
   void look(Piece& piece, const StateRing<Real>& states) const;
   void count_steps_at_rest();
   void wake_touched();
@@ -78,16 +79,12 @@ class Sleepers final : Disturbances {
   void put_to_sleep(const std::vector<Index>& groups, StateRing<Real>& states);
   void stop(Index island, StateRing<Real>& states) const;
   Box around(Index island, const State<Real>& state) const;
-  std::span<const Index> particles_of(Index island) const {
-    return std::span(particles_).subspan(begin_[island], begin_[island + 1] - begin_[island]);
-  }
 
   const Model<Real>& model_;
   Islands& islands_;
-  double square_speed_, step_;      ///< [m^2/s^2], [s]
-  std::uint32_t enough_;            ///< steps at rest
-  std::vector<std::size_t> begin_;  ///< of each island in particles_; one more than there are islands
-  std::vector<Index> particles_;    ///< in the engine's order
+  double square_speed_, step_;  ///< [m^2/s^2], [s]
+  std::uint32_t enough_;        ///< steps at rest
+  IslandMembers members_;
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> steps_at_rest_;  ///< of each island that is awake
   std::vector<Index> group_;     ///< of each that sleeps: the lowest of those it fell asleep with
