@@ -1,7 +1,6 @@
 #include "collide/awake_surface.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace hooke {
 namespace {
@@ -10,24 +9,13 @@ namespace {
 /// again.
 constexpr double ample = 8.0;
 
-constexpr Bounds<double> nowhere() {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  return {{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
+Bounds<double> bounds_of(const AxisBox& box) {
+  return {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
 }
 
-void widen(Bounds<double>& bounds, const Vec3& place) {
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    bounds.low[k] = std::min(bounds.low[k], place[k]);
-    bounds.high[k] = std::max(bounds.high[k], place[k]);
-  }
-}
-
-Bounds<double> grown(Bounds<double> bounds, double by) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    bounds.low[k] -= by;
-    bounds.high[k] += by;
-  }
-  return bounds;
+Bounds<double> bounds_within(AxisBox box, double distance) {
+  box.grow(distance);
+  return bounds_of(box);
 }
 
 bool meets(const BoundsList<double>& list, const Bounds<double>& box) {
@@ -42,7 +30,7 @@ AwakeSurface<Real>::AwakeSurface(Surface whole, const Model<Real>& model, double
   if (model.islands == nullptr) return;
   whole_ = part_;
   corners_ = IslandMembers(*model.islands, model.order, whole_.corners);
-  around_.assign(model.islands->size(), nowhere());
+  around_.resize(model.islands->size());
   taken_.assign(model.islands->size(), 1);
 }
 
@@ -65,10 +53,10 @@ template <class Real>
 void AwakeSurface<Real>::look(const StepResult<Real>& result, bool asleep_too) {
   for (Index island = 0; island < around_.size(); ++island) {
     if (model_.islands->sleeps(island) && !asleep_too) continue;
-    Bounds<double>& around = around_[island] = nowhere();
+    AxisBox& around = around_[island] = {};
     for (const Index corner : corners_.of(island)) {
-      widen(around, result.start.position(corner).template cast<double>());
-      widen(around, result.next.position(corner).template cast<double>());
+      around.widen(Vec3(result.start.position(corner).template cast<double>()));
+      around.widen(Vec3(result.next.position(corner).template cast<double>()));
     }
   }
 }
@@ -76,7 +64,7 @@ void AwakeSurface<Real>::look(const StepResult<Real>& result, bool asleep_too) {
 template <class Real>
 bool AwakeSurface<Real>::is_any_left_out_near() const {
   for (Index island = 0; island < around_.size(); ++island) {
-    if (!model_.islands->sleeps(island) && meets(left_out_, around_[island])) return true;
+    if (!model_.islands->sleeps(island) && meets(left_out_, bounds_of(around_[island]))) return true;
   }
   return false;
 }
@@ -86,14 +74,14 @@ void AwakeSurface<Real>::find_near() {
   const Islands& islands = *model_.islands;
   BoundsList<double> awake;
   for (Index island = 0; island < islands.size(); ++island) {
-    if (!islands.sleeps(island)) awake.add(around_[island]);
+    if (!islands.sleeps(island)) awake.add(bounds_of(around_[island]));
   }
   left_out_ = {};
   any_sleeps_ = false;
   for (Index island = 0; island < islands.size(); ++island) {
-    taken_[island] = !islands.sleeps(island) || meets(awake, grown(around_[island], ample * reach_));
+    taken_[island] = !islands.sleeps(island) || meets(awake, bounds_within(around_[island], ample * reach_));
     any_sleeps_ = any_sleeps_ || (taken_[island] != 0 && islands.sleeps(island));
-    if (taken_[island] == 0) left_out_.add(grown(around_[island], reach_));
+    if (taken_[island] == 0) left_out_.add(bounds_within(around_[island], reach_));
   }
 }
 
@@ -110,8 +98,7 @@ void AwakeSurface<Real>::take_part() {
 
 template <class Real>
 std::size_t AwakeSurface<Real>::bytes() const {
-  return corners_.bytes() + around_.capacity() * sizeof(Bounds<double>) + taken_.capacity() +
-         left_out_.bytes();
+  return corners_.bytes() + around_.capacity() * sizeof(AxisBox) + taken_.capacity() + left_out_.bytes();
 }
 
 template class AwakeSurface<float>;

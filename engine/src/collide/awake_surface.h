@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "collide/axis_box.h"
 #include "collide/close_pairs.h"
 #include "collide/strip_bounds.h"
 #include "model/model.h"
@@ -50,10 +51,10 @@ class AwakeSurface {
   const Model<Real>& model_;
   double reach_;
   Surface whole_, part_;
-  IslandMembers corners_;               ///< of the whole surface
-  std::vector<Bounds<double>> around_;  ///< each island's corners in this step [m]
-  std::vector<char> taken_;             ///< of each island whether it is in the part
-  BoundsList<double> left_out_;         ///< around islands that are not, wider by the reach
+  IslandMembers corners_;        ///< of the whole surface
+  std::vector<AxisBox> around_;  ///< each island's corners in this step [m]
+  std::vector<char> taken_;      ///< of each island whether it is in the part
+  BoundsList<double> left_out_;  ///< around islands that are not, wider by the reach
   bool any_sleeps_ = false;
   std::uint64_t islands_seen_ = 0;
 };

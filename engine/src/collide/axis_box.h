@@ -22,6 +22,10 @@ struct AxisBox {
     low.array() -= by;
     high.array() += by;
   }
+
+  bool meets(const AxisBox& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
 };
 
 }  // namespace hooke

@@ -78,9 +78,9 @@ void Sleepers<Real>::disturb_moved_pins(double from, double to) {
 }
 
 template <class Real>
-bool Sleepers<Real>::is_disturbed(Index island, const Box& around) const {
+bool Sleepers<Real>::is_disturbed(Index island, const AxisBox& around) const {
   return all_disturbed_ || disturbed_[island] != 0 ||
-         std::ranges::any_of(boxes_, [&](const Box& box) { return box.meets(around); });
+         std::ranges::any_of(boxes_, [&](const AxisBox& box) { return box.meets(around); });
 }
 
 template <class Real>
@@ -187,14 +187,9 @@ void Sleepers<Real>::stop(Index island, StateRing<Real>& states) const {
 }
 
 template <class Real>
-auto Sleepers<Real>::around(Index island, const State<Real>& state) const -> Box {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  Box box{Vec3::Constant(infinite), Vec3::Constant(-infinite)};
-  for (const Index i : members_.of(island)) {
-    const Vec3 place = state.position(i).template cast<double>();
-    box.low = box.low.cwiseMin(place);
-    box.high = box.high.cwiseMax(place);
-  }
+AxisBox Sleepers<Real>::around(Index island, const State<Real>& state) const {
+  AxisBox box;
+  for (const Index i : members_.of(island)) box.widen(Vec3(state.position(i).template cast<double>()));
   return box;
 }
 
@@ -251,7 +246,7 @@ std::size_t Sleepers<Real>::particles_asleep() const {
 template <class Real>
 std::size_t Sleepers<Real>::bytes() const {
   return members_.bytes() + pieces_.capacity() * sizeof(Piece) +
-         islands_.size() * (sizeof(std::uint32_t) + sizeof(Index) + sizeof(Box) + 2);
+         islands_.size() * (sizeof(std::uint32_t) + sizeof(Index) + sizeof(AxisBox) + 2);
 }
 
 template class Sleepers<float>;

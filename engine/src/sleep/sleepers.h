@@ -7,6 +7,7 @@
 #include <hooke/effects.h>
 #include <hooke/executor.h>
 
+#include "collide/axis_box.h"
 #include "effects/effect_list.h"
 #include "model/model.h"
 #include "sleep/disturbances.h"
@@ -56,21 +57,12 @@ class Sleepers final : Disturbances {
     bool at_rest = false;
   };
 
-  /// With sides along the axes [m].
-  struct Box {
-    Vec3 low, high;
-
-    bool meets(const Box& other) const {
-      return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-    }
-  };
-
   void all() override { all_disturbed_ = true; }
   void particle(Index particle) override { disturbed_[islands_.of(model_.order.user(particle))] = 1; }
   void box(const Vec3& low, const Vec3& high) override { boxes_.push_back({low, high}); }
 
   void disturb_moved_pins(double from, double to);
-  bool is_disturbed(Index island, const Box& around) const;
+  bool is_disturbed(Index island, const AxisBox& around) const;
   bool moves(Index particle, const StateRing<Real>& states) const;
   void look(Piece& piece, const StateRing<Real>& states) const;
   void count_steps_at_rest();
@@ -78,7 +70,7 @@ class Sleepers final : Disturbances {
   std::vector<Index> groups_of_touching() const;
   void put_to_sleep(const std::vector<Index>& groups, StateRing<Real>& states);
   void stop(Index island, StateRing<Real>& states) const;
-  Box around(Index island, const State<Real>& state) const;
+  AxisBox around(Index island, const State<Real>& state) const;
 
   const Model<Real>& model_;
   Islands& islands_;
@@ -88,11 +80,11 @@ class Sleepers final : Disturbances {
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> steps_at_rest_;  ///< of each island that is awake
   std::vector<Index> group_;     ///< of each that sleeps: the lowest of those it fell asleep with
-  std::vector<Box> around_;      ///< each that sleeps
+  std::vector<AxisBox> around_;  ///< each that sleeps
   std::vector<char> never_;      ///< of each whether it may not sleep
   bool all_disturbed_ = false;   ///< in this step
   std::vector<char> disturbed_;  ///< likewise, of each island
-  std::vector<Box> boxes_;       ///< likewise what is in them
+  std::vector<AxisBox> boxes_;   ///< likewise what is in them
 };
 
 }  // namespace hooke
