@@ -12,6 +12,7 @@
 #include "collide/lasting_pairs.h"
 #include "collide/narrow_phase.h"
 #include "collide/obstacle_contacts.h"
+#include "collide/pushed_contacts.h"
 #include "collide/untangling.h"
 #include "effects/effect_functions.h"
 #include "effects/immovable.h"
@@ -84,6 +85,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
                    masses_),
         narrow_phase_(collision.thickness, collision.friction, collision.swept),
         sweeps_(masses_.inverse()),
+        pushed_(start_.size()),
         zones_(masses_.inverse()) {
     if (context.model.islands != nullptr) rest_ = start_;
     find_pairs_of(start_);
@@ -117,12 +119,11 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
             {"position", "velocity"},
             places * sizeof(Vec3) + masses_.bytes() + kept_apart_.capacity() * sizeof(ClosePair) +
                 pairs_->bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() +
-                sweeps_.bytes() + obstacles_.bytes()};
+                sweeps_.bytes() + pushed_.bytes() + obstacles_.bytes()};
   }
 
  private:
   static constexpr std::size_t particles_in_run = 4096;
-  static constexpr Index none = ~Index{0};
 
   void keep_apart(const StepResult<Real>& result, bool is_tangled, Executor& executor) {
     load(result, executor);
@@ -246,7 +247,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// Moves apart what is too near, until that moves nothing so far that more may come near; then changes
   /// velocities. Whether anything was near.
   bool push_apart(const StepResult<Real>& result, Executor& executor) {
-    touching_.clear();
+    pushed_.clear();
     left_ = 0, pushed_far_ = false;
     bool touches = false;
     for (int round = 0; round < most_rounds; ++round) {
@@ -258,11 +259,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       touches = true;
       for (const SurfaceContact& contact : contacts) awake_.note_touch(contact.particles);
       pushed_far_ = push(contacts, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
-      note_pushed(contacts);
+      pushed_.note(contacts, sweeps_, obstacles_.velocities());
       if (!pushed_far_) break;
     }
-    // What a later round has found to be pinched takes part in no contact.
-    std::erase_if(touching_, [&](const SurfaceContact& contact) { return masses_.takes_pinched(contact); });
+    pushed_.forget_pinched(masses_);
     if (untangling_) add_pulls();
     settle(result.h, executor);
     return touches;
@@ -288,48 +288,18 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return furthest;
   }
 
-  /// The contacts that pushed, for velocities. Those of every round: what one has pushed apart, the next
-  /// finds apart, with the speed that it had.
-  void note_pushed(const std::vector<SurfaceContact>& contacts) {
-    forget_pushed_again(contacts);
-    const std::vector<Vec3>& obstacles = obstacles_.velocities();
-    const std::size_t pairs = contacts.size() - obstacles.size();
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      if (!sweeps_.pushed(c)) continue;
-      touching_.push_back(contacts[c]);
-      touching_.back().held = c < pairs ? Vec3::Zero().eval() : obstacles[c - pairs];
-      touching_.back().least = touching_.back().normal.dot(touching_.back().held);
-    }
-  }
-
-  /// Pairs that push in a later round again are known by that one. These are looked up by their first
-  /// particle.
-  void forget_pushed_again(const std::vector<SurfaceContact>& contacts) {
-    if (touching_.empty()) return;
-    last_of_.resize(start_.size(), none), one_before_.resize(contacts.size());
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      if (sweeps_.pushed(c)) one_before_[c] = std::exchange(last_of_[contacts[c].particles[0]], Index(c));
-    }
-    std::erase_if(touching_, [&](const SurfaceContact& contact) {
-      Index c = last_of_[contact.particles[0]];
-      while (c != none && contacts[c].particles != contact.particles) c = one_before_[c];
-      return c != none;
-    });
-    for (const SurfaceContact& contact : contacts) last_of_[contact.particles[0]] = none;
-  }
-
   /// What crosses does not go further in.
   void add_pulls() {
     for (const SurfaceContact& pull : untangling_->pulls()) {
-      if (!masses_.takes_pinched(pull)) touching_.push_back(pull);
+      if (!masses_.takes_pinched(pull)) pushed_.add(pull);
     }
   }
 
   /// What touches does not approach, and slides as friction lets it.
   void settle(double h, Executor& executor) {
-    if (touching_.empty()) return;
-    sweeps_.find_particles(touching_);
-    sweeps_.set(touching_, executor);
+    if (pushed_.all().empty()) return;
+    sweeps_.find_particles(pushed_.all());
+    sweeps_.set(pushed_.all(), executor);
     const std::uint64_t sweeps =
         sweeps_.run(velocity_, enough(collision_.thickness / h, std::numeric_limits<double>::infinity()),
                     collision_.sweeps, executor);
@@ -373,11 +343,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   std::optional<LastingPairs<Real>> pairs_;
   NarrowPhase narrow_phase_;
   ContactSweeps sweeps_;
+  PushedContacts pushed_;
   ImpactZones zones_;
   std::optional<Untangling> untangling_;
   std::vector<ClosePair> kept_apart_;
-  std::vector<SurfaceContact> touching_;
-  std::vector<Index> last_of_, one_before_;  ///< of a round's contacts that push, by their first particle
   Places before_;
   std::size_t left_ = 0, crossings_ = 0;
   bool pushed_far_ = false;
