@@ -2,6 +2,7 @@
 
 #include "kernels/flush_subnormals.h"
 #include "solve/lane_sums.h"
+#include "solve/packed_copies.h"
 
 namespace hooke {
 namespace {
@@ -30,16 +31,6 @@ struct Extrapolation {
     }
   }
 };
-
-/// Writes the packed copies of a block again.
-template <class Real>
-void pack(State<Real>& state, std::size_t first) {
-  for (std::size_t i = first; i < first + block_size; ++i) {
-    if (state.packed_positions() == nullptr) return;
-    state.set_position(i, state.position(i));
-    state.set_velocity(i, state.velocity(i));
-  }
-}
 
 /// Sweeps before acceleration sets in.
 constexpr std::size_t first_sweeps = 6;
@@ -78,8 +69,8 @@ void Chebyshev<Real>::accelerate(VertexSweeps<Real>& sweeps, Executor& executor)
       extrapolation.apply(inverse_mass, before.x() + i, from.x() + i, now.vx() + i, now.x() + i);
       extrapolation.apply(inverse_mass, before.y() + i, from.y() + i, now.vy() + i, now.y() + i);
       extrapolation.apply(inverse_mass, before.z() + i, from.z() + i, now.vz() + i, now.z() + i);
-      pack(now, i);
     }
+    pack(now, first, last);
   });
 }
 

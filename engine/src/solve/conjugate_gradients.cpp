@@ -8,6 +8,7 @@
 #include "kernels/gather_derivative.h"
 #include "parallel/sum.h"
 #include "solve/lane_sums.h"
+#include "solve/packed_copies.h"
 #include "solve/particle_blocks.h"
 
 namespace hooke {
@@ -253,13 +254,8 @@ class ConjugateGradients final : public DirectionSolver<Real> {
     turn_one(search_.vx(), preconditioned_.x());
     turn_one(search_.vy(), preconditioned_.y());
     turn_one(search_.vz(), preconditioned_.z());
-    Real* const packed = search_.packed_velocities();
-    if (packed == nullptr) return;
-    for (std::size_t i = first; i < last; ++i) {
-      packed[i * packed_width] = search_.vx()[i];
-      packed[i * packed_width + 1] = search_.vy()[i];
-      packed[i * packed_width + 2] = search_.vz()[i];
-    }
+    if (Real* const packed = search_.packed_velocities(); packed != nullptr)
+      pack<Real>(search_.vx(), search_.vy(), search_.vz(), first, last, packed);
   }
 
   const Model<Real>& model_;

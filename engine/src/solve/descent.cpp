@@ -11,6 +11,7 @@
 #include "parallel/sum.h"
 #include "scene/scene_size.h"
 #include "solve/lane_sums.h"
+#include "solve/packed_copies.h"
 #include "solve/residual.h"
 
 namespace hooke {
@@ -24,20 +25,6 @@ void move_lanes(std::size_t lanes, const Real* from_x, Real h, Real length, cons
     v[lane] += length * dv[lane];
     x[lane] = from_x[lane] + h * v[lane];
   }
-}
-
-template <class Real>
-void pack_strip(State<Real>& state, std::size_t first, std::size_t lanes) {
-  const auto pack = [&](Real* packed, const Real* x, const Real* y, const Real* z) {
-    if (packed == nullptr) return;
-    for (std::size_t i = first; i < first + lanes; ++i) {
-      packed[i * packed_width] = x[i];
-      packed[i * packed_width + 1] = y[i];
-      packed[i * packed_width + 2] = z[i];
-    }
-  };
-  pack(state.packed_positions(), state.x(), state.y(), state.z());
-  pack(state.packed_velocities(), state.vx(), state.vy(), state.vz());
 }
 
 /// A length along a direction, and the slope there: how fast the incremental potential falls, negative where
@@ -176,7 +163,7 @@ class Descent final : public StageSolver<Real> {
                next.vz() + first);
     move_pins(pins_between(model_.moving_pins, first, first + lanes), stage.time, next);
     hold(model_.held_between(first, first + lanes), stage.time, next);
-    pack_strip(next, first, lanes);
+    pack(next, first, first + lanes);
   }
 
   /// Of a direction: its slope, and its square weighted by mass.
