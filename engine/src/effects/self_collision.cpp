@@ -117,9 +117,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
             {},
             {"position", "velocity", "mass", "triangles"},
             {"position", "velocity"},
-            places * sizeof(Vec3) + masses_.bytes() + kept_apart_.capacity() * sizeof(ClosePair) +
-                pairs_->bytes() + (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() +
-                sweeps_.bytes() + pushed_.bytes() + obstacles_.bytes()};
+            awake_.bytes() + places * sizeof(Vec3) + masses_.bytes() +
+                kept_apart_.capacity() * sizeof(ClosePair) + pairs_->bytes() +
+                (untangling_ ? untangling_->bytes() : 0) + narrow_phase_.bytes() + sweeps_.bytes() +
+                pushed_.bytes() + obstacles_.bytes()};
   }
 
  private:
