@@ -33,7 +33,8 @@ void Simulation<Real>::Parts::follow_sleepers() {
     if (model.awake.any(plan.tiles.begin(tile), plan.tiles.end(tile))) awake.push_back(tile);
   }
   workers.choose(std::move(awake));
-  forces.clear();  // of sums that blocks asleep did not take
+  for (State<Real>& state : between) state = states.now();  // where sleepers are felt
+  forces.clear();                                           // of sums that blocks asleep did not take
   whole.forget();
   if (controlled) controlled->restart(controlled->next_step(), controlled->last_error());
 }

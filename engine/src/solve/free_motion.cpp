@@ -40,6 +40,8 @@ void FreeMotion<Real>::begin(const Substep& substep, std::size_t begin, std::siz
 
 template <class Real>
 void FreeMotion<Real>::take_coupled(const Substep& substep, Executor& executor) {
+  // What sleeps is where it is felt from now on, too.
+  if (model_.islands_changed(islands_seen_)) begin(substep, 0, block_count(now_.size()));
   now_.memory = substep.stage.from.memory;
   now_.pairs = substep.stage.from.pairs;
   coupled_.take(now_, time_of(substep), weights_of(substep), executor);

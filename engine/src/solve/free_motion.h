@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "forces.h"
 #include "model/model.h"
 #include "solve/coupled_forces.h"
@@ -60,6 +62,7 @@ class FreeMotion {
   Forces<Real>& forces_;
   CoupledForces<Real> coupled_;
   State<Real> start_, now_;
+  std::uint64_t islands_seen_ = 0;
 };
 
 }  // namespace hooke

@@ -101,11 +101,12 @@ bool VertexSweeps<Real>::overlaps(const VertexStrip& strip, std::size_t first, s
 }
 
 template <class Real>
-void VertexSweeps<Real>::follow_islands() {
-  if (!model_.follow_islands()) return;
+bool VertexSweeps<Real>::follow_islands() {
+  if (!model_.follow_islands()) return false;
   awake_.choose(strips_.size(),
                 [&](std::size_t s) { return model_.awake.any(strips_[s].begin, strips_[s].end); });
   std::fill(changes_.begin(), changes_.end(), 0.0);
+  return true;
 }
 
 /// visit(first, last) for runs of particles in blocks that are awake.
@@ -126,8 +127,7 @@ void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real
   now_.memory = stage.from.memory;
   now_.pairs = stage.from.pairs;
   if (model_.frames != nullptr) forces_.effects().frames_changed();  // the host may have moved some
-  follow_islands();
-  for_each_awake([&](std::size_t begin, std::size_t end) {
+  const auto load_run = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Index e = engine_[i];
       from_.set_position(i, stage.from.position(e));
@@ -135,7 +135,10 @@ void VertexSweeps<Real>::load(const ImplicitStage<Real>& stage, const State<Real
       now_.set_position(i, guess.position(e));
       now_.set_velocity(i, guess.velocity(e));
     }
-  });
+  };
+  // What sleeps is where it is felt from now on, too.
+  if (follow_islands()) load_run(0, engine_.size());
+  for_each_awake(load_run);
 }
 
 template <class Real>

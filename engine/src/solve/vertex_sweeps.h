@@ -44,7 +44,7 @@ class VertexSweeps {
   VertexSweeps(const SolverContext<Real>& context, const Adjacency& adjacency);
   VertexSweeps(const SolverContext<Real>& context, const Adjacency& adjacency, VertexColours colours);
 
-  void follow_islands();
+  bool follow_islands();
 
   template <class Visit>
   void for_each_awake(const Visit& visit) const;
@@ -67,7 +67,7 @@ class VertexSweeps {
   std::vector<Index> engine_;  ///< for each particle here its number in the engine's order
   std::vector<Colour> colours_;
   std::vector<VertexStrip> strips_;
-  AwakeBlocks awake_;  ///< of strips
+  AwakeBlocks awake_;            ///< of strips
   std::vector<double> changes_;  ///< for each strip
   State<Real> from_, now_;
   Real h_ = 0;
