@@ -11,7 +11,16 @@ using namespace hooke::test;
 
 namespace {
 
+constexpr Index side = 6;
 constexpr double radius = 0.01;
+
+/// A cloth of 0.1 m that lies flat; its first particle.
+Index lay_cloth(Scene& scene, const Vec3& place) {
+  ClothGrid cloth{.columns = side, .rows = side, .spacing = 0.02, .areal_density = 0.5, .stretch = 50.0};
+  cloth.shear = 25.0, cloth.damping = 0.01;
+  cloth.placement = {.translation = place, .rotation_axis = {1.0, 0.0, 0.0}, .rotation_degrees = -90.0};
+  return add(scene, cloth).first;
+}
 
 template <class Real>
 void step_until_asleep(Simulation<Real>& simulation, Index particle) {
@@ -20,6 +29,33 @@ void step_until_asleep(Simulation<Real>& simulation, Index particle) {
 }
 
 }  // namespace
+
+TEST_CASE_TEMPLATE("a solid that goes away under a sleeper takes it along, or lets it fall", Real, float,
+                   double) {
+  for (const double top : {0.0, 0.3, -0.3, 1.7}) {
+    for (const Vec3& way : {Vec3(0.0, -0.02, 0.0), Vec3(0.02, 0.0, 0.0)}) {
+      CAPTURE(top);
+      CAPTURE(way.y());
+      Scene scene;
+      lay_cloth(scene, {0.0, top + 1e-3, 0.0});
+      scene.effects = {
+          Gravity{},
+          Collider{
+              .shape = BoxShape{{0.0, top - 0.1, 0.0}, {1.0, 0.1, 1.0}}, .thickness = 1e-3, .friction = 0.5},
+          Sleep{.speed = 2e-3, .time = 0.1}};
+      Simulation<Real> simulation(scene, {.step = 5e-3, .threads = 1});
+      step_until_asleep(simulation, 0);
+      const Vec3 before = position(simulation, 0).template cast<double>();
+      for (int i = 1; i <= 40; ++i) {
+        simulation.move_frame(1, {i / 40.0 * way, Eigen::Quaterniond::Identity()});
+        REQUIRE(simulation.step().ok());
+        REQUIRE(!simulation.is_asleep(0));
+      }
+      const Vec3 moved = position(simulation, 0).template cast<double>() - before;
+      CHECK(moved.dot(way) > 0.8 * way.squaredNorm());
+    }
+  }
+}
 
 TEST_CASE("sleepers are felt where they are by a run that was restored") {
   // Whole blocks of grains slide aside and fall asleep; one more is then pushed through where they were.

@@ -10,6 +10,10 @@
 namespace hooke {
 namespace {
 
+/// So much of a place may be rounding.
+template <class Real>
+constexpr double rounding = 4.0 * double(std::numeric_limits<Real>::epsilon());
+
 /// Particles in a piece: some microseconds of work.
 constexpr std::size_t most_in_piece = 4096;
 
@@ -107,11 +111,11 @@ void Sleepers<Real>::end_step(StateRing<Real>& states, Executor& executor) {
 /// origin.
 template <class Real>
 bool Sleepers<Real>::moves(Index i, const StateRing<Real>& states) const {
-  constexpr double roundings = 4.0 * double(std::numeric_limits<Real>::epsilon());
   const State<Real>& now = states.now();
   if (!(square(now.velocity(i)) > square_speed_)) return false;
   const Eigen::Matrix<Real, 3, 1> way = now.position(i) - states.before().position(i);
-  return square(way) > square_speed_ * step_ * step_ + roundings * roundings * square(now.position(i));
+  return square(way) >
+         square_speed_ * step_ * step_ + rounding<Real> * rounding<Real> * square(now.position(i));
 }
 
 template <class Real>
@@ -186,10 +190,14 @@ void Sleepers<Real>::stop(Index island, StateRing<Real>& states) const {
   }
 }
 
+/// As far as what holds an island up may seem to be away from it, by rounding and by the way that its
+/// particles may still go.
 template <class Real>
 AxisBox Sleepers<Real>::around(Index island, const State<Real>& state) const {
   AxisBox box;
   for (const Index i : members_.of(island)) box.widen(Vec3(state.position(i).template cast<double>()));
+  const double furthest = box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).maxCoeff();
+  box.grow(std::sqrt(square_speed_) * step_ + rounding<Real> * furthest);
   return box;
 }
 
