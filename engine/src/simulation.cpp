@@ -212,7 +212,7 @@ void Simulation<Real>::apply_impulse(Index particle, const Vec3& impulse) {
   // A kick that is still pending goes first: its forces may depend on the velocity before the impulse.
   State<Real>& now = p.states.now();
   if (now.pending_kick != 0.0) now = whole;
-  p.wake(particle);
+  p.wake({&particle, 1});
   if (p.watch && !p.model.pinned(e)) {
     const Vec3 mean = 0.5 * (now.velocity(e) + velocity).template cast<double>();
     p.watch->add_work(impulse.dot(mean));
@@ -234,7 +234,7 @@ bool Simulation<Real>::is_asleep(Index particle) const {
 template <class Real>
 void Simulation<Real>::wake(Index particle) {
   require_particle("wake", particle, particle_count());
-  parts_->wake(particle);
+  parts_->wake({&particle, 1});
 }
 
 template <class Real>

@@ -113,8 +113,10 @@ auto Simulation<Real>::Parts::attempt(const Attempt& attempt) {
 
 template <class Real>
 Index Simulation<Real>::Parts::take_at_once(std::size_t count) {
-  const Index bad =
-      attempt([&] { return hooke::take_steps(run(), substep_times(0), 0, count * substeps, states); });
+  const Index bad = attempt([&] {
+    return with_all_met_awake(
+        [&] { return hooke::take_steps(run(), substep_times(0), 0, count * substeps, states); });
+  });
   if (bad == Report::none) {
     states.advance(count * substeps);
   } else {
@@ -136,10 +138,11 @@ Index Simulation<Real>::Parts::take_substeps(std::size_t most_at_once) {
 
 template <class Real>
 Index Simulation<Real>::Parts::take_divided() {
-  const Index bad = attempt([&] {
+  const auto take_them = [&] {
     const Index found = take_substeps(plan.most_steps_at_once);
     return found == Report::none || plan.most_steps_at_once == 1 ? found : take_substeps(1);
-  });
+  };
+  const Index bad = attempt([&] { return with_all_met_awake(take_them); });
   if (bad == Report::none) {
     states.advance_as_one(substeps);
   } else {
@@ -200,8 +203,10 @@ void Simulation<Real>::Parts::take_solved_steps(std::uint64_t count, Report& rep
   const auto start = std::chrono::steady_clock::now();
   while (report.steps_taken < count && report.ok()) {
     const StepTimes at{time_at_step_0, steps, settings.step};
-    const StageResult result =
-        attempt([&] { return solved->take(settings.step, states.now().time, at.after(1), states); });
+    const StageResult result = attempt([&] {
+      return with_all_met_awake(
+          [&] { return solved->take(settings.step, states.now().time, at.after(1), states); });
+    });
     report.force_evaluations += result.force_evaluations;
     report.solver_iterations += result.iterations;
     report.linear_iterations += result.linear_iterations;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -79,8 +80,8 @@ struct Simulation<Real>::Parts {
   /// After any of them fell asleep or woke.
   void follow_sleepers();
 
-  /// Wakes the island of a particle of the user's.
-  void wake(Index particle);
+  /// Wakes the islands of some particles of the user's.
+  void wake(std::span<const Index> particles);
 
   Snapshot<Real> snapshot();
   void restore(const Snapshot<Real>& snapshot);
@@ -109,6 +110,17 @@ struct Simulation<Real>::Parts {
   void take_sleeping_steps(std::uint64_t count, Report& report);
   void take_awake_steps(std::uint64_t count, Report& report);
   void rest_until(double time);
+
+  /// Wakes what a step that is not yet the newest has touched. Whether there was any.
+  bool wake_met();
+
+  /// Computes a step by take(), again where it met something asleep, which is awake then.
+  template <class Take>
+  auto with_all_met_awake(const Take& take) {
+    auto taken = take();
+    while (wake_met()) taken = take();
+    return taken;
+  }
 
   /// Adds what is done between steps to what is shown of the plan, and to what is timed.
   void show_between_steps(Stage stage, std::string_view sweep);

@@ -40,10 +40,18 @@ void Simulation<Real>::Parts::follow_sleepers() {
 }
 
 template <class Real>
-void Simulation<Real>::Parts::wake(Index particle) {
+void Simulation<Real>::Parts::wake(std::span<const Index> particles) {
   if (!sleepers) return;
-  sleepers->wake(model.islands->of(particle));
+  sleepers->wake(particles);
   follow_sleepers();
+}
+
+template <class Real>
+bool Simulation<Real>::Parts::wake_met() {
+  if (!sleepers || !sleepers->wake_touched()) return false;
+  model.islands->forget_touches();
+  follow_sleepers();
+  return true;
 }
 
 template <class Real>

@@ -133,7 +133,7 @@ void Simulation<Real>::teleport(std::span<const Index> particles, const RigidPos
             "particle " + std::to_string(p.model.order.user(i)) +
                 " would get to a place that is not finite; give a smaller displacement");
   }
-  for (const Index particle : particles) p.wake(particle);
+  p.wake(particles);
   // A kick that is still pending goes first: its forces are those of the place before.
   if (p.states.now().pending_kick != 0.0) p.states.now() = whole;
   apply(transform, moved, p.states.now());

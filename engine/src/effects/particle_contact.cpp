@@ -116,7 +116,8 @@ template <class Real>
 class GrainForce final : public CompiledEffect<Real> {
  public:
   GrainForce(const ParticleContact& contact, const EffectContext<Real>& context)
-      : law_{Real(contact.stiffness), Real(contact.damping), Real(contact.shear_stiffness),
+      : model_(context.model),
+        law_{Real(contact.stiffness), Real(contact.damping), Real(contact.shear_stiffness),
              Real(contact.shear_damping), Real(contact.friction)},
         pairs_(grains_of(contact, context.scene, context.model.order), context.scene.particles.size(),
                joined_pairs(context.scene.springs)),
@@ -128,13 +129,13 @@ class GrainForce final : public CompiledEffect<Real> {
   }
 
   void prepare(const State<Real>& state, double, Executor& executor) override {
-    if (touched_.is_of(state) && are_kept(memory_in(state))) return;
-    touched_.forget();
-    pairs_.find(state, executor);
-    for_each_meeting(state, memory_in(state), executor,
-                     [&](std::size_t p, const GrainPair&, const Meeting<Real>& meeting) {
-                       touches_[p] = law_.touch(law_.press(meeting), meeting);
-                     });
+    find_touches(state, executor);
+    // What is met in a step may have gone apart again at its end.
+    Islands* const islands = model_.islands.get();
+    if (islands == nullptr || islands->asleep() == 0) return;
+    for_each_pressing_pair([&](Index a, Index b) {
+      if (islands->particle_sleeps(a) != islands->particle_sleeps(b)) islands->note_touch(a, b);
+    });
   }
 
   void add_force(const Strip<Real>& strip, double, StripForce<Real>& force) const override {
@@ -175,11 +176,8 @@ class GrainForce final : public CompiledEffect<Real> {
 
   /// What it finds is of use to the next step, too.
   void note_touches(const State<Real>& state, Executor& executor, Islands& islands) override {
-    prepare(state, state.time, executor);
-    for (std::size_t p = 0; p < touches_.size(); ++p) {
-      const GrainPair& pair = pairs_.pairs()[p];
-      if (touches_[p].energy > Real(0)) islands.note_touch(pair.first, pair.second);
-    }
+    find_touches(state, executor);
+    for_each_pressing_pair([&](Index a, Index b) { islands.note_touch(a, b); });
   }
 
   double energy(const Strip<Real>& strip) const override {
@@ -228,6 +226,24 @@ class GrainForce final : public CompiledEffect<Real> {
   struct Stiffness {
     Real along, across;
   };
+
+  void find_touches(const State<Real>& state, Executor& executor) {
+    if (touched_.is_of(state) && are_kept(memory_in(state))) return;
+    touched_.forget();
+    pairs_.find(state, executor);
+    for_each_meeting(state, memory_in(state), executor,
+                     [&](std::size_t p, const GrainPair&, const Meeting<Real>& meeting) {
+                       touches_[p] = law_.touch(law_.press(meeting), meeting);
+                     });
+  }
+
+  /// Calls visit(first, second), of the user's numbering, for those that press on each other.
+  template <class Visit>
+  void for_each_pressing_pair(const Visit& visit) const {
+    for (std::size_t p = 0; p < touches_.size(); ++p) {
+      if (touches_[p].energy > Real(0)) visit(pairs_.pairs()[p].first, pairs_.pairs()[p].second);
+    }
+  }
 
   bool anchors() const { return law_.friction > Real(0) && law_.shear_stiffness > Real(0); }
 
@@ -317,6 +333,7 @@ class GrainForce final : public CompiledEffect<Real> {
     }
   }
 
+  const Model<Real>& model_;
   GrainLaw<Real> law_;
   GrainPairs<Real> pairs_;
   std::vector<GrainTouch<Real>> touches_;            ///< of each pair

@@ -49,6 +49,7 @@ Sleepers<Real>::Sleepers(const Sleep& sleep, const Model<Real>& model, double st
       steps_at_rest_(islands_.size(), 0),
       group_(islands_.size(), 0),
       around_(islands_.size()),
+      chosen_(islands_.size(), 0),
       never_(islands_.size(), 0),
       disturbed_(islands_.size(), 0) {
   for (Index island = 0; island < islands_.size(); ++island) {
@@ -70,8 +71,9 @@ void Sleepers<Real>::begin_step(double from, double to, const EffectList<Real>& 
   disturb_moved_pins(from, to);
   if (islands_.asleep() == 0) return;
   for (Index island = 0; island < islands_.size(); ++island) {
-    if (islands_.sleeps(island) && is_disturbed(island, around_[island])) wake(island);
+    if (islands_.sleeps(island) && is_disturbed(island, around_[island])) choose_group_of(island);
   }
+  wake_chosen();
 }
 
 template <class Real>
@@ -142,11 +144,13 @@ void Sleepers<Real>::count_steps_at_rest() {
 }
 
 template <class Real>
-void Sleepers<Real>::wake_touched() {
+bool Sleepers<Real>::wake_touched() {
   for (const auto& [a, b] : islands_.touches()) {
-    if (islands_.sleeps(a) == islands_.sleeps(b)) continue;
-    wake(islands_.sleeps(a) ? a : b);
+    if (islands_.sleeps(a) != islands_.sleeps(b)) choose_group_of(islands_.sleeps(a) ? a : b);
   }
+  const bool any = any_chosen_;
+  wake_chosen();
+  return any;
 }
 
 /// For each island the lowest of those that touch it, or that touch one that does.
@@ -202,15 +206,25 @@ AxisBox Sleepers<Real>::around(Index island, const State<Real>& state) const {
 }
 
 template <class Real>
-void Sleepers<Real>::wake(Index island) {
-  steps_at_rest_[island] = 0;
-  if (!islands_.sleeps(island)) return;
-  const Index group = group_[island];
-  for (Index other = group; other < islands_.size(); ++other) {
-    if (!islands_.sleeps(other) || group_[other] != group) continue;
-    islands_.set(other, false);
-    steps_at_rest_[other] = 0;
+void Sleepers<Real>::wake(std::span<const Index> particles) {
+  for (const Index particle : particles) {
+    const Index island = islands_.of(particle);
+    steps_at_rest_[island] = 0;
+    if (islands_.sleeps(island)) choose_group_of(island);
   }
+  wake_chosen();
+}
+
+template <class Real>
+void Sleepers<Real>::wake_chosen() {
+  if (!any_chosen_) return;
+  for (Index island = 0; island < islands_.size(); ++island) {
+    if (!islands_.sleeps(island) || chosen_[group_[island]] == 0) continue;
+    islands_.set(island, false);
+    steps_at_rest_[island] = 0;
+  }
+  std::fill(chosen_.begin(), chosen_.end(), char{0});
+  any_chosen_ = false;
 }
 
 template <class Real>
@@ -254,7 +268,7 @@ std::size_t Sleepers<Real>::particles_asleep() const {
 template <class Real>
 std::size_t Sleepers<Real>::bytes() const {
   return members_.bytes() + pieces_.capacity() * sizeof(Piece) +
-         islands_.size() * (sizeof(std::uint32_t) + sizeof(Index) + sizeof(AxisBox) + 2);
+         islands_.size() * (sizeof(std::uint32_t) + sizeof(Index) + sizeof(AxisBox) + 3);
 }
 
 template class Sleepers<float>;

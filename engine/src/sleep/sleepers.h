@@ -29,13 +29,16 @@ class Sleepers final : Disturbances {
   /// Before a step from one time to another [s]: wakes what cannot be at rest in it.
   void begin_step(double from, double to, const EffectList<Real>& effects);
 
-  /// After a step, whose result is the newest state: wakes what was touched by what is awake, and puts to
-  /// sleep what has been at rest for long enough. What falls asleep has no velocity, in all states of the
+  /// Wakes what something awake has touched. Whether there was any: then the step is to be taken again.
+  bool wake_touched();
+
+  /// After a step, whose result is the newest state: wakes what is touched there by what is awake, and puts
+  /// to sleep what has been at rest for long enough. What falls asleep has no velocity, in all states of the
   /// ring.
   void end_step(StateRing<Real>& states, Executor& executor);
 
-  /// An island, and those that fell asleep with it as they touched it.
-  void wake(Index island);
+  /// The islands of some particles of the user's, and those that fell asleep with them as they touched them.
+  void wake(std::span<const Index> particles);
   void wake_all();
 
   /// See Snapshot::resting.
@@ -66,7 +69,8 @@ class Sleepers final : Disturbances {
   bool moves(Index particle, const StateRing<Real>& states) const;
   void look(Piece& piece, const StateRing<Real>& states) const;
   void count_steps_at_rest();
-  void wake_touched();
+  void choose_group_of(Index island) { chosen_[group_[island]] = 1, any_chosen_ = true; }
+  void wake_chosen();
   std::vector<Index> groups_of_touching() const;
   void put_to_sleep(const std::vector<Index>& groups, StateRing<Real>& states);
   void stop(Index island, StateRing<Real>& states) const;
@@ -81,7 +85,9 @@ class Sleepers final : Disturbances {
   std::vector<std::uint32_t> steps_at_rest_;  ///< of each island that is awake
   std::vector<Index> group_;     ///< of each that sleeps: the lowest of those it fell asleep with
   std::vector<AxisBox> around_;  ///< each that sleeps
+  std::vector<char> chosen_;     ///< of each group whether wake_chosen() wakes it
   std::vector<char> never_;      ///< of each whether it may not sleep
+  bool any_chosen_ = false;
   bool all_disturbed_ = false;   ///< in this step
   std::vector<char> disturbed_;  ///< likewise, of each island
   std::vector<AxisBox> boxes_;   ///< likewise what is in them
