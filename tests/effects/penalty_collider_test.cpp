@@ -219,6 +219,19 @@ TEST_CASE("penalty: the derivative meets central differences where it holds, and
   CHECK(derivative_at(forces, place, 1e3 * n, {1.0, 1.0}).isZero(0.0));
 }
 
+TEST_CASE("penalty: without friction nothing brakes along it, at rest neither") {
+  Scene scene;
+  scene.add_particle(mass, Vec3::Zero());
+  scene.effects = {Collider{.stiffness = 1e5, .damping = 200.0}};
+  ForcesOfScene forces(scene);
+  const Vec3 n = Vec3::UnitY();
+  const Eigen::Matrix3d expected = 200.0 * n * n.transpose();
+  for (const double slip : {0.0, 1e-30, 1.0}) {
+    CAPTURE(slip);
+    CHECK((derivative_at(forces, -0.01 * n, {slip, 0.0, 0.0}, {0.0, 1.0}) - expected).norm() < 1e-9);
+  }
+}
+
 TEST_CASE("penalty: each fault of its values is named") {
   Scene scene = one_particle();
   scene.effects = {Collider{.stiffness = -1.0, .damping = NAN}, Collider{.stiffness = INFINITY},

@@ -1,5 +1,7 @@
 #include "effects/penalty_collider.h"
 
+#include <limits>
+
 #include "collide/pose_of.h"
 #include "collide/solid_bounds.h"
 
@@ -84,8 +86,8 @@ HWY_INLINE void for_each_press(const Strip<Real>& strip, const Penalty<Real>& pe
         const auto along = against - scaled(speed, surface.outwards);
         const auto slip = hn::Sqrt(dot(along, along));
         const auto most = hn::Mul(hn::Set(d, penalty.friction), push);
-        const auto slides = hn::Gt(hn::Mul(damping, slip), most);
-        const auto brake = hn::IfThenElse(slides, hn::Div(most, slip), damping);
+        const auto least = hn::Set(d, std::numeric_limits<Real>::min());
+        const auto brake = hn::Min(damping, hn::Div(most, hn::Max(slip, least)));
         visit(d, lane, Press<decltype(d)>{presses, surface.outwards, push, along, brake});
       });
 }
