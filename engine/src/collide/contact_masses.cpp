@@ -2,17 +2,16 @@
 
 namespace hooke {
 
-void ContactMasses::let_go(const std::vector<Index>& particles) {
-  if (!holds_any_) return;
-  holds_any_ = false;
-  for (const Index i : particles) {
+void ContactMasses::let_go() {
+  for (const Index i : held_) {
     inverse_[i] = free_[i];
     is_pinched_[i] = 0;
   }
+  held_.clear();
 }
 
 void ContactMasses::hold(Index particle) {
-  holds_any_ = true;
+  held_.push_back(particle);
   inverse_[particle] = 0.0;
 }
 

@@ -21,8 +21,8 @@ class ContactMasses {
 
   bool can_move(Index particle) const { return inverse_[particle] > 0.0; }
 
-  /// At the start of a step nothing is known to be held of these particles: all that contact meets.
-  void let_go(const std::vector<Index>& particles);
+  /// At the start of a step nothing is known to be held.
+  void let_go();
 
   /// It is not moved in this step.
   void hold(Index particle);
@@ -33,13 +33,14 @@ class ContactMasses {
   bool takes_pinched(const SurfaceContact& contact) const;
 
   std::size_t bytes() const {
-    return (free_.capacity() + inverse_.capacity()) * sizeof(double) + is_pinched_.capacity();
+    return (free_.capacity() + inverse_.capacity()) * sizeof(double) + is_pinched_.capacity() +
+           held_.capacity() * sizeof(Index);
   }
 
  private:
   std::vector<double> free_, inverse_;
   std::vector<unsigned char> is_pinched_;  ///< of each particle in this step
-  bool holds_any_ = false;
+  std::vector<Index> held_;                ///< in this step
 };
 
 }  // namespace hooke

@@ -94,7 +94,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   unsigned parts() const override { return corrects_everything; }
 
   void correct(const StepResult<Real>& result, Executor& executor) override {
+    masses_.let_go();
     if (awake_.choose(result)) find_pairs_of(rest_);
+    hold_scripted(result.time);
     update_pairs(result, executor);
     const bool is_tangled = is_anything_tangled(result, executor);
     if (is_tangled || (pairs_->may_touch() && any_touch(result, executor)))
@@ -128,7 +130,6 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
 
   void keep_apart(const StepResult<Real>& result, bool is_tangled, Executor& executor) {
     load(result, executor);
-    let_all_go(result);
     obstacles_.move_to(result.time, result.h);
     if (is_tangled) draw_apart(result, executor);
     const bool touches = push_apart(result, executor);
@@ -144,7 +145,6 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     for (const ClosePair& pair : pairs) {
       for (const Index i : pair.particles) load(result, i);
     }
-    let_all_go(result);
     const bool any = !narrow_phase_.contacts_of(pairs, step_of(result, executor), executor).empty();
     return any || narrow_phase_.passed();
   }
@@ -152,7 +152,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// Whether anything crosses at the start of the step.
   bool is_anything_tangled(const StepResult<Real>& result, Executor& executor) {
     if (!untangling_) return false;
-    if (!untangling_->crossings().none_near()) load(result, executor), let_all_go(result);
+    if (!untangling_->crossings().none_near()) load(result, executor);
     return untangling_->look(start_, executor);
   }
 
@@ -217,11 +217,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     velocity_[i] = result.next.velocity(i).template cast<double>();
   }
 
-  /// At the start of a step nothing is known to be pinched.
-  void let_all_go(const StepResult<Real>& result) {
-    masses_.let_go(surface_.corners);
+  void hold_scripted(double time) {
     for (const ScriptedTime& script : scripted_) {
-      if (script.holds_at(result.time)) masses_.hold(script.particle);
+      if (script.holds_at(time)) masses_.hold(script.particle);
     }
   }
 
