@@ -148,3 +148,55 @@ TEST_CASE("sleepers are felt where they are by a run that was restored") {
     CHECK(restored.state_hash() == whole.state_hash());
   }
 }
+
+TEST_CASE("what cannot be put right of sleepers does not move them") {
+  Scene scene;
+  Method method = BackwardEuler{};
+  Index sleepers = 0, awake = 0;  // the first of these are to sleep, and one that something is
+  SUBCASE("a strain limit") {
+    method = SymplecticEuler{};
+    for (Index i = 0; i < 30; ++i) {
+      scene.add_particle(0.01, {0.0, -0.05 * i, 0.0});
+      if (i > 0) scene.add_spring(i - 1, i, 50.0, 0.05, 0.2);
+    }
+    scene.pin(0);
+    sleepers = 30;
+    scene.pin(scene.add_particle(0.1, {1.0, 0.0, 0.0}));
+    awake = scene.add_particle(0.1, {1.3, 0.0, 0.0});
+    scene.add_spring(awake - 1, awake, 500.0, 0.3, 0.01);
+    scene.effects = {Gravity{}, Drag{0.05}, StrainLimit{.limit = 0.01, .sweeps = 4},
+                     Sleep{.speed = 2e-2, .time = 0.2}};
+  }
+  SUBCASE("pieces that cross") {
+    const Index lying = lay_cloth(scene, Vec3::Zero());
+    ClothGrid upright{.columns = side, .rows = side, .spacing = 0.02, .areal_density = 0.5, .stretch = 50.0};
+    upright.shear = 25.0, upright.damping = 0.05;
+    upright.placement = {.translation = {0.005, 0.045, 0.056}};
+    const Index standing = add(scene, upright).first;
+    for (Index i = 0; i < side; ++i) {
+      for (const Index first : {lying, standing})
+        scene.pin(first + i), scene.pin(first + side * (side - 1) + i);
+    }
+    // Near them, so that they are looked at.
+    sleepers = Index(scene.particles.size());
+    awake = lay_cloth(scene, {0.118, 0.0, 0.0});
+    scene.particles.velocity.assign(scene.particles.size(), Vec3::Zero());
+    for (Index i = awake; i < scene.particles.size(); ++i) scene.particles.velocity[i] = {-0.03, 0.0, 0.0};
+    scene.effects = {SelfCollision{.thickness = 2e-3, .swept = false, .untangle = true},
+                     Sleep{.speed = 2e-2, .time = 0.05}};
+  }
+  Simulation<double> simulation(scene, {.method = method, .step = 5e-3, .threads = 1});
+  for (int n = 0; n < 400 && simulation.step(0).particles_asleep < sleepers; ++n) simulation.step();
+  REQUIRE(simulation.step(0).particles_asleep == sleepers);
+  std::vector<Vec3> before;
+  for (Index i = 0; i < sleepers; ++i) before.push_back(position(simulation, i));
+  for (int n = 0; n < 50; ++n) {
+    REQUIRE(simulation.step().ok());
+    REQUIRE(simulation.step(0).particles_asleep == sleepers);
+    REQUIRE(!simulation.is_asleep(awake));
+    for (Index i = 0; i < sleepers; ++i) {
+      CHECK(position(simulation, i) == before[i]);
+      CHECK(velocity(simulation, i).isZero(0.0));
+    }
+  }
+}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -29,8 +30,8 @@ class AwakeSurface {
   bool any_sleeps() const { return any_sleeps_; }
 
   /// Whether all particles of a pair sleep.
-  bool sleeps(const ClosePair& pair) const {
-    return model_.sleeps(pair.particles[0]) && model_.sleeps(pair.particles[3]);
+  bool sleeps(const std::array<Index, 4>& particles) const {
+    return model_.sleeps(particles[0]) && model_.sleeps(particles[3]);
   }
 
   /// That the two of a pair touch, where they are of two islands.

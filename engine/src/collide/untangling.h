@@ -31,6 +31,12 @@ class Untangling {
   /// Whether anything was, in the last look.
   bool is_tangled() const { return is_tangled_; }
 
+  /// Leaves what is pulled as it is, where leaves(pull).
+  template <class Leaves>
+  void leave(const Leaves& leaves) {
+    std::erase_if(pulls_, leaves);
+  }
+
   /// Whether a pair may pass for now.
   bool are_entangled(const ClosePair& pair) const { return curves_.are_entangled(pair); }
 

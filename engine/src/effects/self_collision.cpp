@@ -153,7 +153,10 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   bool is_anything_tangled(const StepResult<Real>& result, Executor& executor) {
     if (!untangling_) return false;
     if (!untangling_->crossings().none_near()) load(result, executor);
-    return untangling_->look(start_, executor);
+    if (!untangling_->look(start_, executor)) return false;
+    untangling_->leave([&](const SurfaceContact& pull) { return awake_.sleeps(pull.particles); });
+    for (const SurfaceContact& pull : untangling_->pulls()) awake_.note_touch(pull.particles);
+    return true;
   }
 
   void draw_apart(const StepResult<Real>& result, Executor& executor) {
@@ -179,7 +182,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     kept_apart_.clear();
     for (const ClosePair& pair : pairs_->found()) {
       if (is_tangled && untangling_->are_entangled(pair)) continue;
-      if (!awake_.any_sleeps() || !awake_.sleeps(pair)) kept_apart_.push_back(pair);
+      if (!awake_.any_sleeps() || !awake_.sleeps(pair.particles)) kept_apart_.push_back(pair);
     }
     return kept_apart_;
   }

@@ -28,7 +28,8 @@ template <class Real>
 class StrainLimitCorrection final : public CompiledEffect<Real> {
  public:
   StrainLimitCorrection(const StrainLimit& limit, const EffectContext<Real>& context)
-      : sweeps_(limit, context.scene, context.model.order),
+      : model_(context.model),
+        sweeps_(limit, context.scene, context.model.order),
         inverse_mass_(inverse_masses_of_free(context.scene, context.model.order)),
         scripted_(scripted_times(context.scene, context.model.order)),
         pins_move_(!context.model.moving_pins.empty() || !scripted_.empty() ||
@@ -93,7 +94,8 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
 
   void load(const StepResult<Real>& result, Executor& executor) {
     for_each_particle(executor, [&](std::size_t i) {
-      particles_[i] = {result.next.position(i).template cast<double>(), inverse_mass_[i]};
+      const double inverse_mass = model_.sleeps(i) ? 0.0 : inverse_mass_[i];
+      particles_[i] = {result.next.position(i).template cast<double>(), inverse_mass};
     });
     for (const ScriptedTime& script : scripted_) {
       if (script.holds_at(result.time)) particles_[script.particle].inverse_mass = 0.0;
@@ -130,6 +132,7 @@ class StrainLimitCorrection final : public CompiledEffect<Real> {
     });
   }
 
+  const Model<Real>& model_;
   StrainSweeps sweeps_;
   std::vector<double> inverse_mass_;  ///< [1/kg], 0 where pinned or attached
   std::vector<ScriptedTime> scripted_;
