@@ -40,8 +40,8 @@ struct Model {
   /// move them as if they were free, and are corrected.
   bool holds_like_pins = false;
   std::shared_ptr<PreparedMeshes> meshes;  ///< of colliders; more are added when effects are compiled
-  std::shared_ptr<Islands> islands;  ///< null of a scene that does not name Sleep
-  AwakeBlocks awake;                 ///< those that steps work on
+  std::shared_ptr<Islands> islands;        ///< null of a scene that does not name Sleep
+  AwakeBlocks awake;                       ///< those that steps work on
 
   /// With the meshes of a simulation that goes on in this one, where there is one.
   Model(const Scene& scene, Accumulation accumulation, Executor& executor, bool holds_like_pins = false,
