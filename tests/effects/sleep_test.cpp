@@ -301,6 +301,35 @@ TEST_CASE("what changes with time keeps awake whom it works on, and wakes them")
     CHECK(simulation.is_asleep(resting.second));
     CHECK(position(simulation, resting.first).y() > 5e-3);
   }
+  SUBCASE("forces and moves that begin and end within a step") {
+    const double at = 0.5012;  // steps end each 5 ms
+    const std::vector<ForceKeyframe> even{{at, {0.0, 1e-3, 0.0}}, {at + 0.003, {0.0, 1e-3, 0.0}}};
+    const std::vector<Keyframe> there_and_back{{at}, {at + 0.001, {0.0, 1e-4, 0.0}}, {at + 0.003}};
+    SUBCASE("a force") {
+      resting.scene.effects.push_back(ForceScript{{resting.first + 9}, even});
+    }
+    SUBCASE("a pin") {
+      resting.scene.pin(resting.first, there_and_back);
+    }
+    Simulation<float> simulation = asleep_after<float>(resting.scene, 2 * of_cloth);
+    while (simulation.time() < 0.503) {
+      CHECK(simulation.is_asleep(resting.first));
+      simulation.step();
+    }
+    CHECK(!simulation.is_asleep(resting.first));
+    CHECK(simulation.is_asleep(resting.second));
+  }
+  SUBCASE("a path of a pin that rests on its way") {
+    resting.scene.pin(resting.first, {{0.0}, {0.1, {0.0, 0.0013, 0.0}}, {9.0, {0.0, 0.0013, 0.0}}});
+    Simulation<float> simulation = asleep_after<float>(resting.scene, 2 * of_cloth);
+    for (int i = 0; i < 200; ++i) CHECK(asleep(simulation.step()) == 2 * of_cloth);
+  }
+  SUBCASE("a path of a solid that rests on its way") {
+    Collider& floor = std::get<Collider>(resting.scene.effects[1]);
+    floor.path = {{0.0}, {0.1, Vec3::Zero(), 13.7}, {9.0, Vec3::Zero(), 13.7}};
+    Simulation<float> simulation = asleep_after<float>(resting.scene, 2 * of_cloth);
+    for (int i = 0; i < 200; ++i) CHECK(asleep(simulation.step()) == 2 * of_cloth);
+  }
   SUBCASE("wind that sets in") {
     resting.scene.effects.push_back(ParticleWind{1e-4, UniformField{{0.1, 0.0, 0.0}},
                                                  RampEnvelope{.start = 0.5, .end = 0.6, .from = 0.0}});

@@ -11,6 +11,10 @@ namespace {
 template <class Real>
 constexpr double rounding = 8.0 * double(std::numeric_limits<Real>::epsilon());
 
+/// A solid stands still that moves by no more than this share of its distance from the origin: between two
+/// keyframes that are equal, rounding moves it.
+constexpr double same_pose = 1e-14;
+
 }  // namespace
 
 template <class Real>
@@ -50,8 +54,8 @@ bool is_clear_of(const LocalShape<Real>& shape, const Pose<Real>& pose, Real thi
 void disturb_near(const RigidMotion& motion, const Vec3& half, double from, double to,
                   Disturbances& disturbed) {
   const FramePlace before = motion.at(from), after = motion.at(to);
-  const bool turns = before.rotation != after.rotation;
-  if (!turns && before.origin == after.origin) return;
+  const bool turns = !before.rotation.isApprox(after.rotation, same_pose);
+  if (!turns && before.origin.isApprox(after.origin, same_pose)) return;
   // Turned by any angle, or of a plane.
   const bool anywhere = turns || !half.allFinite();
   const Vec3 extent = anywhere ? Vec3(Vec3::Constant(half.norm())) : Vec3(before.rotation.cwiseAbs() * half);

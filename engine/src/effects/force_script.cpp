@@ -4,6 +4,7 @@
 
 #include "effects/effect_functions.h"
 #include "effects/named_particles.h"
+#include "sleep/changes_between.h"
 
 namespace hooke {
 namespace {
@@ -40,7 +41,13 @@ class ScriptedForce final : public CompiledEffect<Real> {
   }
 
   void disturb(double from, double to, Disturbances& disturbed) const override {
-    if (force_at(keyframes_, from) == force_at(keyframes_, to)) return;
+    const auto jumps = [&](const ForceKeyframe& end) {
+      return from < end.time && end.time <= to && end.force != Vec3::Zero();
+    };
+    if (keyframes_.empty()) return;
+    if (!jumps(keyframes_.front()) && !jumps(keyframes_.back()) &&
+        !changes_between(keyframes_, from, to, &ForceKeyframe::force))
+      return;
     for (const Index particle : particles_) disturbed.particle(particle);
   }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "effects/effect_functions.h"
+#include "sleep/changes_between.h"
 
 namespace hooke {
 namespace {
@@ -51,7 +52,7 @@ class ScriptedMotion final : public CompiledEffect<Real> {
   void disturb(double from, double to, Disturbances& disturbed) const override {
     if (moved_.empty() || to < path_.front().time || from > path_.back().time) return;
     const bool rests = from >= path_.front().time && to < path_.back().time &&
-                       displacement_at(path_, from) == displacement_at(path_, to);
+                       !changes_between(path_, from, to, &Keyframe::displacement);
     if (rests) return;
     for (const ScriptedParticle& moved : moved_) disturbed.particle(moved.particle);
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "sleep/changes_between.h"
 #include "sleep/joined_parts.h"
 
 namespace hooke {
@@ -79,7 +80,7 @@ void Sleepers<Real>::begin_step(double from, double to, const EffectList<Real>& 
 template <class Real>
 void Sleepers<Real>::disturb_moved_pins(double from, double to) {
   for (const MovingPin& pin : model_.moving_pins) {
-    if (displacement_at(pin.path, from) != displacement_at(pin.path, to)) particle(pin.particle);
+    if (changes_between(pin.path, from, to, &Keyframe::displacement)) particle(pin.particle);
   }
 }
 
