@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -367,6 +368,26 @@ TEST_CASE("a pendulum at the end of its swing does not sleep, and a seam joins i
   REQUIRE(simulation.is_asleep(a));
   simulation.apply_impulse(a, {0.0, 0.1, 0.0});
   CHECK(!simulation.is_asleep(b));
+}
+
+TEST_CASE("what sleeps does not creep, whatever else is awake") {
+  Scene scene;
+  const Index links = 8;
+  Plasticity plasticity{.yield = 0.0, .rate = 0.01};
+  for (Index i = 0; i <= links; ++i) {
+    scene.add_particle(0.01, {0.0, -0.052 * i, 0.0});
+    if (i > 0)
+      plasticity.springs.push_back(Index(scene.springs.size())), scene.add_spring(i - 1, i, 60.0, 0.05, 0.5);
+  }
+  scene.pin(0);
+  const Index bob = hang_pendulum(scene, {1.0, 0.0, 0.0});
+  scene.effects = {Gravity{}, Drag{0.1}, plasticity, Sleep{.speed = 2e-2, .time = 0.1}};
+  Simulation<double> simulation = asleep_after<double>(scene, links + 1);
+  const std::vector<double> before = simulation.snapshot().effects;
+  CHECK(*std::ranges::max_element(before) > 0.0);
+  for (int i = 0; i < 20; ++i) REQUIRE(asleep(simulation.step()) == links + 1);
+  CHECK(!simulation.is_asleep(bob));
+  CHECK(simulation.snapshot().effects == before);
 }
 
 TEST_CASE("sleep that cannot be is refused, and so are particles that are not there") {

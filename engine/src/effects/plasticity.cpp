@@ -79,10 +79,11 @@ HWY_INLINE V crept(D d, const Element& e, V creep, const Creep<Real>& of) {
   return hn::IfThenElse(hn::Gt(beyond, hn::Zero(d)), next, creep);
 }
 
-/// Each spring is looked at once: where its first end lies in a lane.
+/// Each spring is looked at once: where its first end lies in a lane. Those of sleepers stay as they are.
 template <class Real>
-HWY_INLINE void creep_blocks(const ElementSlots<Real>& slots, const State<Real>& state, const Creep<Real>& of,
-                             std::size_t begin, std::size_t end, Real* memory) {
+HWY_INLINE void creep_blocks(const ElementSlots<Real>& slots, const Model<Real>& model,
+                             const State<Real>& state, const Creep<Real>& of, std::size_t begin,
+                             std::size_t end, Real* memory) {
   for (std::size_t block = begin; block < end; ++block) {
     const auto& list = slots.list(block);
     for (std::uint32_t s = list.begin; s < list.end; ++s) {
@@ -95,7 +96,8 @@ HWY_INLINE void creep_blocks(const ElementSlots<Real>& slots, const State<Real>&
             hn::Store(crept(d, e, creep, of), d, next + lane);
           });
       for (std::size_t lane = 0; lane < block_size; ++lane) {
-        if (slots.has_element(slot, lane)) memory[slots.element_row(slot)[lane]] = next[lane];
+        if (slots.has_element(slot, lane) && !model.sleeps(block * block_size + lane))
+          memory[slots.element_row(slot)[lane]] = next[lane];
       }
     }
   }
@@ -112,9 +114,9 @@ HWY_INLINE void creep_blocks(const ElementSlots<Real>& slots, const State<Real>&
                              Real weight, Real least_across, StripForce<Real>& product) {                    \
     add_element_forces(slots, search, ProductLaw<Real>{memory, weight, least_across}, product);              \
   }                                                                                                          \
-  void creep_##Real(const ElementSlots<Real>& slots, const State<Real>& state, const Creep<Real>& of,        \
-                    std::size_t begin, std::size_t end, Real* memory) {                                      \
-    creep_blocks(slots, state, of, begin, end, memory);                                                      \
+  void creep_##Real(const ElementSlots<Real>& slots, const Model<Real>& model, const State<Real>& state,     \
+                    const Creep<Real>& of, std::size_t begin, std::size_t end, Real* memory) {               \
+    creep_blocks(slots, model, state, of, begin, end, memory);                                               \
   }
 HOOKE_PLASTICITY_IN(float)
 HOOKE_PLASTICITY_IN(double)
@@ -140,9 +142,9 @@ namespace {
                       Real weight, Real least_across, StripForce<Real>& product) {                     \
     HWY_DYNAMIC_DISPATCH(multiply_yield_##Real)(slots, search, memory, weight, least_across, product); \
   }                                                                                                    \
-  void creep(const ElementSlots<Real>& slots, const State<Real>& state, const Creep<Real>& of,         \
-             std::size_t begin, std::size_t end, Real* memory) {                                       \
-    HWY_DYNAMIC_DISPATCH(creep_##Real)(slots, state, of, begin, end, memory);                          \
+  void creep(const ElementSlots<Real>& slots, const Model<Real>& model, const State<Real>& state,      \
+             const Creep<Real>& of, std::size_t begin, std::size_t end, Real* memory) {                \
+    HWY_DYNAMIC_DISPATCH(creep_##Real)(slots, model, state, of, begin, end, memory);                   \
   }
 HOOKE_PLASTICITY_IN(float)
 HOOKE_PLASTICITY_IN(double)
@@ -164,7 +166,7 @@ template <class Real>
 class PlasticCorrection final : public CompiledEffect<Real> {
  public:
   PlasticCorrection(const Plasticity& plasticity, const EffectContext<Real>& context)
-      : plasticity_(plasticity) {
+      : plasticity_(plasticity), model_(context.model) {
     const Elements elements = elements_of(plasticity, context.scene.springs);
     slots_ = make_element_slots<Real>(elements, context.model.order, true);
     springs_ = elements.size();
@@ -219,7 +221,9 @@ class PlasticCorrection final : public CompiledEffect<Real> {
     State<Real>& state = result.next;
     executor.parallel_for(block_count(state.size()), blocks_at_once, [&](std::size_t begin, std::size_t end) {
       const FlushSubnormals flush;
-      creep(slots_, state, of, begin, end, state.memory.data() + first_);
+      model_.for_each_awake_run(begin, end, [&](std::size_t first, std::size_t last) {
+        creep(slots_, model_, state, of, first, last, state.memory.data() + first_);
+      });
     });
   }
 
@@ -233,6 +237,7 @@ class PlasticCorrection final : public CompiledEffect<Real> {
   }
 
   Plasticity plasticity_;
+  const Model<Real>& model_;
   ElementSlots<Real> slots_;
   std::size_t springs_;
   std::size_t first_ = 0;  ///< of its values in State::memory
