@@ -218,8 +218,8 @@ struct ProjectiveDynamics {
 ///
 /// One spring alone is moved as by backward Euler. Of several, each spring is put right along the direction
 /// that it has at the moment, and what is left over when the iterations end stays: the result comes near
-/// backward Euler's with substeps of that length, and does not become equal with more iterations
-/// (docs/methods.md says by how much). Forces of effects act once in a substep, before the springs.
+/// backward Euler's with such substeps, and not equal with more iterations (docs/methods.md says by how
+/// much). In a substep forces of effects act once, before the springs; solids, tethers, scripts after them.
 struct Xpbd {
   std::uint64_t substeps = 20;   ///< equal parts of a step, >= 1
   std::uint64_t iterations = 1;  ///< over all springs in a substep, >= 1

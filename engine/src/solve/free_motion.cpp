@@ -108,6 +108,11 @@ void FreeMotion<Real>::correct(Real h, const Real* moves, std::size_t begin, std
   }
 }
 
+template <class Real>
+void FreeMotion<Real>::correct_strips(const Substep& substep, std::size_t begin, std::size_t end) {
+  forces_.effects().correct_strips({start_, now_, double(substep.h), time_of(substep), 0.0}, begin, end);
+}
+
 template class FreeMotion<float>;
 template class FreeMotion<double>;
 

@@ -42,6 +42,9 @@ class FreeMotion {
   /// them there to their velocities.
   void correct(Real h, const Real* moves, std::size_t begin, std::size_t end);
 
+  /// For a run of blocks: then what effects do to strips of a result, as if the substep were a step.
+  void correct_strips(const Substep& substep, std::size_t begin, std::size_t end);
+
   const State<Real>& start() const { return start_; }  ///< of the substep
   const State<Real>& now() const { return now_; }
 

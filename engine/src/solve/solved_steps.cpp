@@ -143,7 +143,7 @@ StageResult SolvedSteps<Real>::take(double h, double time, double time_after, St
 template <class Real>
 void SolvedSteps<Real>::correct(double h, double time_after, const State<Real>& now, State<Real>& next) {
   const StepResult<Real> result{now, next, h, time_after, 0.0};
-  if (effects_.corrects_strips()) {
+  if (effects_.corrects_strips() && !solver_->corrects_strips()) {
     model_.for_each_awake_run(0, block_count(next.size()), [&](std::size_t begin, std::size_t end) {
       effects_.correct_strips(result, begin, end);
     });

@@ -42,6 +42,9 @@ class StageSolver {
   /// the stage's time, which stay so. On return it is the solution, packed copies included.
   virtual StageResult solve(const ImplicitStage<Real>& stage, State<Real>& next) = 0;
 
+  /// Whether solve() does itself what effects do to strips of a result.
+  virtual bool corrects_strips() const { return false; }
+
   /// Its name, what it reads and the bytes it holds. As of all stages, the plan says in which sweep.
   virtual Stage stage() const = 0;
 };

@@ -45,6 +45,10 @@ class PositionBasedDynamics final : public StageSolver<Real> {
     return result;
   }
 
+  /// In each substep: what keeps particles out of a solid once in a step would let them fall into it in all
+  /// substeps, and friction would take back a way that they have not gone.
+  bool corrects_strips() const override { return true; }
+
   Stage stage() const override {
     return {std::string(Xpbd::name) + " (" + std::to_string(springs_.colours()) + " colours)",
             {},
@@ -87,8 +91,10 @@ class PositionBasedDynamics final : public StageSolver<Real> {
     Real* const multipliers = multipliers_.empty() ? nullptr : multipliers_.data();
     for (std::uint64_t i = 0; i < method_.iterations; ++i)
       springs_.project(substep.h, {places_.data(), moves_.data(), before_.data()}, multipliers, executor_);
-    for_each_run(
-        [&](std::size_t begin, std::size_t end) { motion_.correct(substep.h, moves_.data(), begin, end); });
+    for_each_run([&](std::size_t begin, std::size_t end) {
+      motion_.correct(substep.h, moves_.data(), begin, end);
+      motion_.correct_strips(substep, begin, end);
+    });
   }
 
   /// Positions; what is behind them stays.
