@@ -129,6 +129,19 @@ TEST_CASE("collider: on an incline it slides above the angle of friction, and st
   }
 }
 
+TEST_CASE("collider: what friction holds does not creep upwards either, by every method, with long steps") {
+  constexpr double mu = 0.5;
+  for (const Method& method : methods_for_contact()) {
+    CAPTURE(to_string(method));
+    for (const double share : {0.1, 0.5, 0.8, 0.99}) {
+      CAPTURE(share);
+      Simulation<double> stays(on_incline(std::atan(mu) * share, mu), {.method = method, .step = 1.0 / 60.0});
+      REQUIRE(stays.step(60).ok());
+      CHECK(position(stays, 0).norm() < 1e-12);
+    }
+  }
+}
+
 TEST_CASE("collider: a ball comes up again as high as its restitution says") {
   for (const double e : {0.0, 0.5, 0.9, 1.0}) {
     CAPTURE(e);

@@ -57,19 +57,43 @@ HWY_INLINE hn::Mask<D> are_finite(D, const Vector3<V>& a) {
   return hn::And(hn::IsFinite(a.x), hn::And(hn::IsFinite(a.y), hn::IsFinite(a.z)));
 }
 
-/// What a contact leaves of the velocity against the surface. Coulomb's law: what the surface takes of the
-/// velocity along it is at most `friction` times the change across it.
+/// What a contact does to the velocity against the surface.
+template <class V>
+struct VelocityChange {
+  Vector3<V> change;
+  V share;  ///< that friction takes of the velocity along the surface [1]
+};
+
+/// Coulomb's law: what the surface takes of the velocity along it is at most `friction` times the change
+/// across it.
 template <class D, class Real, class V = hn::Vec<D>>
-HWY_INLINE Vector3<V> velocity_change(D d, const Contact<Real>& contact, const Vector3<V>& against,
-                                      const Vector3<V>& outwards) {
+HWY_INLINE VelocityChange<V> velocity_change(D d, const Contact<Real>& contact, const Vector3<V>& against,
+                                             const Vector3<V>& outwards) {
   const V zero = hn::Zero(d), one = hn::Set(d, Real(1));
   const V normal = dot(against, outwards);
   const V change = hn::Mul(hn::Max(hn::Neg(normal), zero), hn::Set(d, Real(1) + contact.restitution));
   const Vector3<V> along = against - scaled(normal, outwards);
   const V speed = hn::Sqrt(dot(along, along));
   const V most = hn::Mul(hn::Set(d, contact.friction), change);
-  const V share = hn::IfThenElse(hn::Gt(speed, most), hn::Div(most, speed), one);
-  return scaled(change, outwards) - scaled(share, along);
+  const V share = hn::IfThenElseZero(hn::Gt(speed, zero), hn::Min(hn::Div(most, speed), one));
+  return {scaled(change, outwards) - scaled(share, along), share};
+}
+
+/// How a contact moves a particle from p. What friction takes of the velocity it takes of the way along the
+/// surface in this step, too, at most `friction` times the depth: so what sticks stays, also by methods whose
+/// way is not the velocity at the end times the step.
+template <class D, class Real, class V = hn::Vec<D>>
+HWY_INLINE Vector3<V> move_of(D d, const Contact<Real>& contact, const ContactBlock<Real>& block,
+                              std::size_t lane, const Vector3<V>& p, const Surface<V>& surface, V share) {
+  const Vector3<V> start{hn::Load(d, block.x0 + lane), hn::Load(d, block.y0 + lane),
+                         hn::Load(d, block.z0 + lane)};
+  const Vector3<V> way = p - to_local(d, contact.before, start);
+  const Vector3<V> along = way - scaled(dot(way, surface.outwards), surface.outwards);
+  const V zero = hn::Zero(d), length = hn::Sqrt(dot(along, along));
+  const V depth = hn::Max(hn::Sub(hn::Set(d, contact.thickness), surface.distance), zero);
+  const V most = hn::Div(hn::Mul(hn::Set(d, contact.friction), depth), length);
+  const V taken = hn::IfThenElseZero(hn::Gt(length, zero), hn::Min(share, most));
+  return scaled(depth, surface.outwards) - scaled(taken, along);
 }
 
 /// Stops particles that have gone through the solid within the step, or so far in that the nearest surface is
@@ -108,7 +132,7 @@ HWY_INLINE std::uint16_t resolve_shape(const Shape& shape, const Contact<Real>& 
                                        const ContactBlock<Real>& block) {
   const hn::CappedTag<Real, block_size> d;
   using V = hn::Vec<decltype(d)>;
-  const V zero = hn::Zero(d), thickness = hn::Set(d, contact.thickness), h = hn::Set(d, block.h);
+  const V zero = hn::Zero(d), thickness = hn::Set(d, contact.thickness);
   std::uint16_t touched = 0;
   for (std::size_t lane = 0; lane < block_size; lane += hn::Lanes(d)) {
     const auto is_free = mask_of(d, std::uint32_t(block.free) >> lane);
@@ -130,13 +154,8 @@ HWY_INLINE std::uint16_t resolve_shape(const Shape& shape, const Contact<Real>& 
                        hn::Load(d, block.vz + lane)};
     const Vector3<V> spinning = cross(set3(d, contact.spin), p);
     const Vector3<V> against = turned_back(d, contact.after, v - set3(d, contact.velocity)) - spinning;
-    const Vector3<V> change = velocity_change(d, contact, against, surface.outwards);
-    // What friction takes of the velocity it takes of the way in the solid, too: what sticks stays.
-    const V depth = hn::Max(hn::Neg(gap), zero);
-    const Vector3<V> along = scaled(h, change - scaled(dot(change, surface.outwards), surface.outwards));
-    const V length = hn::Sqrt(dot(along, along)), most = hn::Mul(hn::Set(d, contact.friction), depth);
-    const V share = hn::IfThenElse(hn::Gt(length, most), hn::Div(most, length), hn::Set(d, Real(1)));
-    const Vector3<V> place = p + scaled(share, along) + scaled(depth, surface.outwards);
+    const auto [change, share] = velocity_change(d, contact, against, surface.outwards);
+    const Vector3<V> place = p + move_of(d, contact, block, lane, p, surface, share);
     const Vector3<V> next = turned(d, contact.after, place) + set3(d, contact.after.origin);
     const Vector3<V> velocity = v + turned(d, contact.after, change);
     // Where speeds are so high that their squares overflow, the run has gone bad: it is left to its next step
