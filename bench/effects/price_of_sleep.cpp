@@ -24,15 +24,9 @@ void hang_shaken_cloth(Scene& scene, Index columns) {
   for (Index i = 0; i < columns; ++i) scene.pin(cloth.at(i, 0), path);
 }
 
-/// Friction against steps of xpbd keeps stiff cloth moving (docs/sleep.md).
-double friction_for(const Method& method) {
-  return std::holds_alternative<Xpbd>(method) ? 0.0 : 0.5;
-}
-
-Scene scene_of(const Method& method, Index lying, Index columns, bool may_sleep, bool collide) {
+Scene scene_of(Index lying, Index columns, bool may_sleep, bool collide) {
   Scene scene;
-  scene.effects = {Gravity{},
-                   Collider{.shape = PlaneShape{}, .thickness = 1e-3, .friction = friction_for(method)}};
+  scene.effects = {Gravity{}, Collider{.shape = PlaneShape{}, .thickness = 1e-3, .friction = 0.5}};
   if (collide) scene.effects.push_back(SelfCollision{.thickness = 2e-3, .friction = 0.3});
   if (may_sleep) scene.effects.push_back(Sleep{.time = 0.1});
   hang_shaken_cloth(scene, columns);
@@ -57,9 +51,9 @@ void require_asleep(Simulation<float>& simulation, std::size_t particles, int st
 
 void print_row(const Method& method, Index cloths, Index columns, bool collide, int turns) {
   const Settings settings{.method = method, .step = step, .threads = 1};
-  Simulation<float> alone(scene_of(method, 0, columns, false, collide), settings);
-  Simulation<float> asleep(scene_of(method, cloths, columns, true, collide), settings);
-  Simulation<float> awake(scene_of(method, cloths, columns, false, collide), settings);
+  Simulation<float> alone(scene_of(0, columns, false, collide), settings);
+  Simulation<float> asleep(scene_of(cloths, columns, true, collide), settings);
+  Simulation<float> awake(scene_of(cloths, columns, false, collide), settings);
   constexpr std::uint64_t steps = 8;
   constexpr int settling = 960;
   const std::size_t lying = std::size_t(cloths) * columns * columns;

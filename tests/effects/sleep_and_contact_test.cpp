@@ -121,6 +121,23 @@ TEST_CASE("a cloth that hits a sleeper moves both as if that had been awake") {
   }
 }
 
+TEST_CASE("cloth that has fallen on cloth sleeps after half a second at rest, by every method") {
+  for (const Method& method :
+       {Method{SymplecticEuler{}}, Method{Verlet{}}, Method{BackwardEuler{}}, Method{ProjectiveDynamics{}},
+        Method{Xpbd{}}, Method{VertexBlockDescent{}}}) {
+    CAPTURE(to_string(method));
+    Scene scene;
+    lay_cloth(scene, {0.0, 1e-3, 0.0});
+    lay_cloth(scene, {0.0, 0.03, 0.003});
+    scene.effects = {Gravity{}, Collider{.shape = PlaneShape{}, .thickness = 1e-3, .friction = 0.5},
+                     SelfCollision{.thickness = 2e-3, .friction = 0.3}, Sleep{.time = 0.5}};
+    Simulation<double> simulation(scene, {.method = method, .step = 5e-3, .threads = 1});
+    REQUIRE(simulation.step(160).ok());  // it falls for 0.07 s
+    CHECK(simulation.is_asleep(0));
+    CHECK(simulation.is_asleep(side * side));
+  }
+}
+
 TEST_CASE("sleepers are felt where they are by a run that was restored") {
   // Whole blocks of grains slide aside and fall asleep; one more is then pushed through where they were.
   Scene scene;

@@ -1,0 +1,118 @@
+#include "effects/price_of_contact.h"
+
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include <hooke/hooke.h>
+
+#include "effects/paired_times.h"
+
+namespace hooke::bench {
+namespace {
+
+constexpr double width = 1.0, thickness = 0.002, step = 0.005;  // [m], [m], [s]
+constexpr Index layers = 10;
+
+ClothGrid cloth_of(Index columns) {
+  return {.columns = columns,
+          .rows = columns,
+          .spacing = width / double(columns - 1),
+          .areal_density = 0.2,
+          .stretch = 1000.0,
+          .shear = 500.0,
+          .bend = 10.0};
+}
+
+Scene hung(Index columns) {
+  Scene scene;
+  const GridParticles cloth = add(scene, cloth_of(columns));
+  scene.pin(cloth.at(0, 0));
+  scene.pin(cloth.at(columns - 1, 0));
+  scene.effects = {Gravity{}, Drag{1e-5}};
+  return scene;
+}
+
+/// Layers with sharp creases, just not touching, whose springs are at rest.
+Scene folded(Index columns) {
+  Scene scene;
+  ClothGrid shape = cloth_of(columns);
+  shape.bend = 0.0;
+  const GridParticles cloth = add(scene, shape);
+  const Index rows_of_layer = (columns + layers - 1) / layers;
+  for (Index row = 0; row < columns; ++row) {
+    const Index layer = row / rows_of_layer, in_layer = row % rows_of_layer;
+    const Index place = layer % 2 == 0 ? in_layer : rows_of_layer - 1 - in_layer;
+    for (Index column = 0; column < columns; ++column) {
+      scene.particles.position[cloth.at(column, row)] = {
+          column * shape.spacing, thickness * (0.5 + 1.1 * layer), place * shape.spacing};
+    }
+  }
+  Springs& springs = scene.springs;
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    springs.rest_length[s] =
+        (scene.particles.position[springs.first[s]] - scene.particles.position[springs.second[s]]).norm();
+  }
+  scene.effects = {Gravity{}, Drag{1e-5},
+                   Collider{.shape = PlaneShape{}, .thickness = 0.5 * thickness, .friction = 0.3}};
+  return scene;
+}
+
+struct Row {
+  std::string name;
+  Scene scene;
+  Method method;
+  int steps;
+  bool touches;
+};
+
+/// That contact was looked for, and found or not, and that none is left.
+void require_contacts(Simulation<float>& simulation, const Row& row) {
+  const Report report = simulation.step();
+  if (!report.ok()) throw std::runtime_error(row.name + ": " + report.message());
+  if ((report.contact_sweeps > 0) != row.touches || report.contacts_left > 0)
+    throw std::runtime_error(row.name + ": " + std::to_string(report.contact_sweeps) +
+                             " sweeps over contacts, of which " + std::to_string(report.contacts_left) +
+                             " are left");
+}
+
+void print_row(const Row& row) {
+  Scene with = row.scene;
+  with.effects.push_back(SelfCollision{.thickness = thickness, .friction = 0.3});
+  const auto settings = [&](int threads) {
+    return Settings{.method = row.method, .step = step, .threads = threads};
+  };
+  Simulation<float> without(row.scene, settings(1)), one(with, settings(1));
+  const PairedTimes times = paired_times(without, one, 1, row.steps);
+  require_contacts(one, row);
+  Simulation<float> again(with, settings(1)), two(with, settings(2));
+  const double faster = paired_times(two, again, 1, row.steps).ratio;
+  if (two.state_hash() != again.state_hash())
+    throw std::runtime_error(row.name + ": on two threads it ends in other bits");
+  std::printf("| %s | %s | %d | %.1f | %.1f | %.2f | %.2f |\n", row.name.c_str(),
+              std::string(to_string(row.method)).c_str(), row.steps, 1e3 * times.first, 1e3 * times.second,
+              times.ratio, faster);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void print_price_of_contact(Index columns) {
+  std::printf(R"(
+## What touches
+
+A cloth of %u x %u particles, %.0f m wide, thickness %.0f mm, with `self_collision` and without it: hung by two corners, so that nothing is near, and in
+ten layers on a plane, from where they do not touch yet. Float, the first steps of %.0f ms, by turns. Times of a step on one thread [ms], medians; medians of the ratios of
+the turns; and how many times as fast the scene with it is on two threads.
+
+| scene | method | steps | without | with | ratio | two threads |
+|---|---|---|---|---|---|---|
+)",
+              columns, columns, width, 1e3 * thickness, 1e3 * step);
+  for (const Method& method : {Method{BackwardEuler{}}, Method{SymplecticEuler{}}, Method{Xpbd{}}})
+    print_row({"hung, touches nothing", hung(columns), method, 20, false});
+  print_row({"ten layers", folded(columns), BackwardEuler{}, 12, true});
+  print_row({"ten layers", folded(columns), Xpbd{}, 12, true});
+}
+
+}  // namespace hooke::bench
