@@ -79,7 +79,7 @@ void require_contacts(Simulation<float>& simulation, const Row& row) {
 void print_row(const Row& row) {
   Scene with = row.scene;
   with.effects.push_back(SelfCollision{.thickness = thickness, .friction = 0.3});
-  const auto settings = [&](int threads) {
+  const auto settings = [&](unsigned threads) {
     return Settings{.method = row.method, .step = step, .threads = threads};
   };
   Simulation<float> without(row.scene, settings(1)), one(with, settings(1));

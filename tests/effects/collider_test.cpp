@@ -240,10 +240,11 @@ TEST_CASE("each fault of a collider is named") {
   std::string all;
   for (const Fault& fault : validate(scene)) all += fault.message() + "\n";
   CAPTURE(all);
-  for (const char* expected : {"shape.plane.normal", "thickness is -1 m", "friction is nan",
-                               "restitution is 1.5; give a value from 0 to 1", "shape.sphere.radius is 0 m",
-                               "axis", "shape.box.centre", "shape.box.half_size[1] is -1 m",
-                               "shape.capsule.end", "shape.capsule.radius is -1 m",
-                               "path[1].time is 1 s, but an earlier keyframe has 1 s", "path[1].displacement"})
+  for (const char* expected :
+       {"shape.plane.normal", "thickness is -1 m", "friction is nan",
+        "restitution is 1.5; give a value from 0 to 1", "shape.sphere.radius is 0 m", "axis",
+        "shape.box.centre", "shape.box.half_size[1] is -1 m", "shape.capsule.end",
+        "shape.capsule.radius is -1 m", "path[1].time is 1 s, but an earlier keyframe has 1 s",
+        "path[1].displacement"})
     CHECK(all.find(expected) != all.npos);
 }

@@ -175,7 +175,7 @@ TEST_CASE("self-collision: what would pass goes back to where it came near, and 
   const auto executor = make_tbb_executor(1);
   NarrowPhase narrow_phase(thickness, 0.0, true);
   const std::vector<ClosePair> pairs{{{0, 1, 2, 3}, PairKind::corner_triangle, 0, thickness, 1.0}};
-  const auto& contacts = narrow_phase.contacts_of(pairs, {start, end, inverse_mass, 2.0, 2.0}, *executor);
+  const auto& contacts = narrow_phase.contacts_of(pairs, {start, end, inverse_mass, 2.0, 2.0, 0.01}, *executor);
   REQUIRE(contacts.size() == 1);
   CHECK(narrow_phase.passed());
   CHECK(std::abs(contacts[0].normal.y()) == doctest::Approx(1.0));

@@ -122,9 +122,8 @@ TEST_CASE("a cloth that hits a sleeper moves both as if that had been awake") {
 }
 
 TEST_CASE("cloth that has fallen on cloth sleeps after half a second at rest, by every method") {
-  for (const Method& method :
-       {Method{SymplecticEuler{}}, Method{Verlet{}}, Method{BackwardEuler{}}, Method{ProjectiveDynamics{}},
-        Method{Xpbd{}}, Method{VertexBlockDescent{}}}) {
+  for (const Method& method : {Method{SymplecticEuler{}}, Method{Verlet{}}, Method{BackwardEuler{}},
+                               Method{ProjectiveDynamics{}}, Method{Xpbd{}}, Method{VertexBlockDescent{}}}) {
     CAPTURE(to_string(method));
     Scene scene;
     lay_cloth(scene, {0.0, 1e-3, 0.0});

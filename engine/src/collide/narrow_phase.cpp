@@ -18,6 +18,10 @@ constexpr double recovery = 0.2;
 /// last bit of its way were contact, friction could not hold it.
 constexpr double skin = 0.01;
 
+/// That gets back to its thickness, too, within some such times [s]. Held where it is, it would rise by what
+/// sweeps leave, step after step, until it falls; and where it might fall freely friction would not hold it.
+constexpr double sinking_time = 0.025;
+
 /// When a pair first comes as near as a share of its thickness, or of its distance at the start where that is
 /// less; 1 where it does not, or crosses at the start already.
 double time_of_touch(const ClosePair& pair, const PairPlaces& start, const PairPlaces& end,
@@ -95,11 +99,12 @@ std::span<const NarrowPhase::Run> NarrowPhase::look_at(const std::vector<ClosePa
   return {runs_.data(), count};
 }
 
-double NarrowPhase::least_distance(const ClosePair& pair, double before) const {
+double NarrowPhase::least_distance(const ClosePair& pair, double before, double h) const {
   if (before <= 0.0) return pair.thickness;
   if (before < pair.thickness) return before + recovery * (pair.thickness - before);
   const bool lies_on_it = pair.thickness == thickness_ && before < (1.0 + skin) * pair.thickness;
-  return lies_on_it ? before : pair.thickness;
+  if (!lies_on_it) return pair.thickness;
+  return before - std::min(recovery, h / sinking_time) * (before - pair.thickness);
 }
 
 std::vector<SurfaceContact>& NarrowPhase::contacts_of(const std::vector<ClosePair>& pairs, const Step& step,
@@ -145,7 +150,7 @@ void NarrowPhase::look(const ClosePair& pair, const Step& step, Run& run) const 
   }
   contact.held = contact.sum(step.start);
   // What would pass goes back to where it came near, and not all the way to its thickness either.
-  contact.least = least_distance(pair, time < 1.0 ? distance : contact.normal.dot(contact.held));
+  contact.least = least_distance(pair, time < 1.0 ? distance : contact.normal.dot(contact.held), step.h);
   run.contacts.push_back(contact);
   run.passed = run.passed || time < 1.0;
 }

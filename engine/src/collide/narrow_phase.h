@@ -26,6 +26,7 @@ class NarrowPhase {
     const std::vector<double>& inverse_mass;
     double moved;   ///< at least what two particles have moved against each other since pairs were found [m]
     double motion;  ///< the same of the step [m]
+    double h;       ///< [s]
   };
 
   /// The contacts of all pairs, in their order. What passes gets them where it is when it comes near, else
@@ -58,7 +59,7 @@ class NarrowPhase {
     return pair.distance - step.moved > reach_of(pair);
   }
   /// What a pair is kept apart by that was `before` apart at the start, in the direction of its contact [m].
-  double least_distance(const ClosePair& pair, double before) const;
+  double least_distance(const ClosePair& pair, double before, double h) const;
 
   template <class Look>
   std::span<const Run> look_at(const std::vector<ClosePair>& pairs, const Look& look, Executor& executor);

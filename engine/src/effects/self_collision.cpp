@@ -243,7 +243,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   }
 
   NarrowPhase::Step step_of(const StepResult<Real>& result, Executor& executor) const {
-    return {start_, end_, masses_.inverse(), pairs_->moved(), pairs_->motion_in(result, executor)};
+    return {start_, end_, masses_.inverse(), pairs_->moved(), pairs_->motion_in(result, executor), result.h};
   }
 
   /// Moves apart what is too near, until that moves nothing so far that more may come near; then changes
