@@ -1,5 +1,8 @@
 #include "effects/price_of_contact.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -62,7 +65,7 @@ struct Row {
   std::string name;
   Scene scene;
   Method method;
-  int steps;
+  std::uint64_t steps;
   bool touches;
 };
 
@@ -76,22 +79,31 @@ void require_contacts(Simulation<float>& simulation, const Row& row) {
                              " are left");
 }
 
+/// Of the two scenes' first steps together, as pairs are found anew in some of them only; the middle of three
+/// runs.
+PairedTimes times_of(const Scene& first, const Scene& second, unsigned threads_of_first, const Row& row) {
+  std::array<PairedTimes, 3> runs;
+  for (PairedTimes& times : runs) {
+    Settings settings{.method = row.method, .step = step, .threads = 1};
+    Simulation<float> of_second(second, settings);
+    settings.threads = threads_of_first;
+    Simulation<float> of_first(first, settings);
+    times = paired_times(of_first, of_second, row.steps, 1);
+    require_contacts(of_second, row);
+  }
+  std::sort(runs.begin(), runs.end(),
+            [](const PairedTimes& a, const PairedTimes& b) { return a.ratio < b.ratio; });
+  return runs[1];
+}
+
 void print_row(const Row& row) {
   Scene with = row.scene;
   with.effects.push_back(SelfCollision{.thickness = thickness, .friction = 0.3});
-  const auto settings = [&](unsigned threads) {
-    return Settings{.method = row.method, .step = step, .threads = threads};
-  };
-  Simulation<float> without(row.scene, settings(1)), one(with, settings(1));
-  const PairedTimes times = paired_times(without, one, 1, row.steps);
-  require_contacts(one, row);
-  Simulation<float> again(with, settings(1)), two(with, settings(2));
-  const double faster = paired_times(two, again, 1, row.steps).ratio;
-  if (two.state_hash() != again.state_hash())
-    throw std::runtime_error(row.name + ": on two threads it ends in other bits");
-  std::printf("| %s | %s | %d | %.1f | %.1f | %.2f | %.2f |\n", row.name.c_str(),
-              std::string(to_string(row.method)).c_str(), row.steps, 1e3 * times.first, 1e3 * times.second,
-              times.ratio, faster);
+  const PairedTimes times = times_of(row.scene, with, 1, row);
+  const double faster = times_of(with, with, 2, row).ratio;
+  std::printf("| %s | %s | %llu | %.1f | %.1f | %.2f | %.2f |\n", row.name.c_str(),
+              std::string(to_string(row.method)).c_str(), static_cast<unsigned long long>(row.steps),
+              1e3 * times.first, 1e3 * times.second, times.ratio, faster);
   std::fflush(stdout);
 }
 
@@ -102,8 +114,8 @@ void print_price_of_contact(Index columns) {
 ## What touches
 
 A cloth of %u x %u particles, %.0f m wide, thickness %.0f mm, with `self_collision` and without it: hung by two corners, so that nothing is near, and in
-ten layers on a plane, from where they do not touch yet. Float, the first steps of %.0f ms, by turns. Times of a step on one thread [ms], medians; medians of the ratios of
-the turns; and how many times as fast the scene with it is on two threads.
+ten layers on a plane, from where they do not touch yet. Float. Times of a step on one thread [ms], means of the first steps of %.0f ms; the middle of three runs by
+the ratio of these; and how many times as fast the scene with it is on two threads.
 
 | scene | method | steps | without | with | ratio | two threads |
 |---|---|---|---|---|---|---|
