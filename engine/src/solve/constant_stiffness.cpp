@@ -30,6 +30,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
       particle_of_row_[factor_.row(u)] = matrix_.particles()[u];
       unknown_of_row_[factor_.row(u)] = std::uint32_t(u);
     }
+    for (std::size_t row = 0; row < factor_.size(); ++row) awake_rows_.push_back(std::uint32_t(row));
     if (!effects_.bounds().empty()) {
       State<Real> start = initial_state(context.scene, context.model);
       start.memory = context.forces.effects().initial_memory();
@@ -50,8 +51,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
   }
 
   void begin() override {
-    if (model_.islands_changed(islands_seen_))
-      factor_.leave_out_all_but([&](std::size_t row) { return !model_.sleeps(particle_of_row_[row]); });
+    if (model_.islands_changed(islands_seen_)) choose_awake();
     effects_.clear();
     if (pairs_) pairs_->clear();
   }
@@ -76,12 +76,22 @@ class ConstantStiffness final : public DirectionSolver<Real> {
 
   std::size_t bytes() const override {
     return matrix_.bytes() + factor_.bytes() + effects_.bytes() +
-           3 * factored_effects_.capacity() * sizeof(Real) + 2 * particle_of_row_.capacity() * sizeof(Index) +
+           3 * factored_effects_.capacity() * sizeof(Real) + 3 * particle_of_row_.capacity() * sizeof(Index) +
            sides_.capacity() * sizeof(Real) + (change_ ? change_->bytes() : 0) +
            (pairs_ ? pairs_->bytes() + remainder_->bytes() : 0);
   }
 
  private:
+  /// What sleeps has no residual, and gets no direction.
+  void choose_awake() {
+    factor_.leave_out_all_but([&](std::size_t row) { return !model_.sleeps(particle_of_row_[row]); });
+    std::fill(sides_.begin(), sides_.end(), Real(0));
+    awake_rows_.clear();
+    for (std::size_t row = 0; row < particle_of_row_.size(); ++row) {
+      if (!model_.sleeps(particle_of_row_[row])) awake_rows_.push_back(std::uint32_t(row));
+    }
+  }
+
   void factor(double h) {
     for (std::size_t i = 0; i < factored_effects_.size(); ++i)
       factored_effects_[i] = Real(h * h) * stiffness_at_start_[i] + Real(h) * damping_at_start_[i];
@@ -106,7 +116,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
   /// Returns the number of solves with the factor.
   std::uint64_t solve_matrix(const ParticleVectors<Real>& residual, ParticleVectors<Real>& direction) {
     const FlushSubnormals flush;
-    for (std::size_t row = 0; row < particle_of_row_.size(); ++row) {
+    for (const std::size_t row : awake_rows_) {
       const Index i = particle_of_row_[row];
       Real* const side = sides_.data() + 4 * row;
       side[0] = residual.x()[i];
@@ -121,7 +131,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
     } else {
       factor_.solve(sides_.data());
     }
-    for (std::size_t row = 0; row < particle_of_row_.size(); ++row) {
+    for (const std::size_t row : awake_rows_) {
       const Index i = particle_of_row_[row];
       const Real* const side = sides_.data() + 4 * row;
       direction.x()[i] = side[0];
@@ -140,6 +150,7 @@ class ConstantStiffness final : public DirectionSolver<Real> {
   std::optional<ChangedDiagonal<Real>> change_;
   std::vector<Index> particle_of_row_;
   std::vector<std::uint32_t> unknown_of_row_;
+  std::vector<std::uint32_t> awake_rows_;
   AlignedVector<Real> sides_;
   std::optional<SecantPairs<Real>> pairs_;
   std::optional<ParticleVectors<Real>> remainder_;
