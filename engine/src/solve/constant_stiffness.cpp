@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "kernels/flush_subnormals.h"
@@ -25,12 +26,13 @@ class ConstantStiffness final : public DirectionSolver<Real> {
         effects_(context),
         particle_of_row_(factor_.size()),
         unknown_of_row_(factor_.size()),
+        awake_rows_(factor_.size()),
         sides_(factor_.values_of_sides(), Real(0)) {
     for (std::size_t u = 0; u < factor_.size(); ++u) {
       particle_of_row_[factor_.row(u)] = matrix_.particles()[u];
       unknown_of_row_[factor_.row(u)] = std::uint32_t(u);
     }
-    for (std::size_t row = 0; row < factor_.size(); ++row) awake_rows_.push_back(std::uint32_t(row));
+    std::iota(awake_rows_.begin(), awake_rows_.end(), std::uint32_t{0});
     if (!effects_.bounds().empty()) {
       State<Real> start = initial_state(context.scene, context.model);
       start.memory = context.forces.effects().initial_memory();
