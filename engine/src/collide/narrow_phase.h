@@ -45,8 +45,18 @@ class NarrowPhase {
   std::size_t bytes() const;
 
  private:
+  /// How a pair has got a contact.
+  struct Touch {
+    const ClosePair* pair;
+    double time;             ///< when it comes near, as a share of the step; 1 where it does not pass
+    double distance;         ///< then [m]
+    double distance_at_end;  ///< of the step [m]
+    bool is_left = false;    ///< to another pair
+  };
+
   struct Run {
     std::vector<SurfaceContact> contacts;
+    std::vector<Touch> of_corner;  ///< of the last contacts, which are of one corner
     std::vector<ClosePair> crossing;
     bool passed = false;
   };
@@ -64,7 +74,9 @@ class NarrowPhase {
   template <class Look>
   std::span<const Run> look_at(const std::vector<ClosePair>& pairs, const Look& look, Executor& executor);
   void look(const ClosePair& pair, const Step& step, Run& run) const;
-  static bool is_left_to_others(const ClosePair& pair, const SurfaceContact& contact, const Run& run);
+  bool is_left_to_others(const SurfaceContact& contact, const Touch& touch, const Step& step) const;
+  static void leave_nearest(const Step& step, Run& run);
+  static bool passes(const Touch& touch, const Step& step);
   static bool is_crossing(const ClosePair& pair, const Step& step, double distance_at_end);
 
   double thickness_, friction_;
