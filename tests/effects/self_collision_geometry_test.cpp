@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "collide/box_tree.h"
 #include "collide/close_pairs.h"
 #include "collide/closest_points.h"
@@ -175,7 +177,8 @@ TEST_CASE("self-collision: what would pass goes back to where it came near, and 
   const auto executor = make_tbb_executor(1);
   NarrowPhase narrow_phase(thickness, 0.0, true);
   const std::vector<ClosePair> pairs{{{0, 1, 2, 3}, PairKind::corner_triangle, 0, thickness, 1.0}};
-  const auto& contacts = narrow_phase.contacts_of(pairs, {start, end, inverse_mass, 2.0, 2.0, 0.01}, *executor);
+  const auto& contacts =
+      narrow_phase.contacts_of(pairs, {start, end, inverse_mass, 2.0, 2.0, 0.01}, *executor);
   REQUIRE(contacts.size() == 1);
   CHECK(narrow_phase.passed());
   CHECK(std::abs(contacts[0].normal.y()) == doctest::Approx(1.0));
@@ -258,6 +261,109 @@ TEST_CASE("self-collision: sweeps lead to the nearest state that keeps all conta
     CHECK(random.contacts[c].gap(random.values) < 1e-9);
   }
   CHECK(pushing > random.contacts.size() / 4);
+}
+
+TEST_CASE("self-collision: sweeps that begin from pushes known before end sooner, and add no energy either") {
+  for (const double friction : {0.0, 0.4}) {
+    const RandomContacts first(friction);
+    RandomContacts solved = first;
+    const ContactSweeps sweeps = swept(solved, 2000);
+    RandomContacts known = first;
+    for (std::size_t c = 0; c < known.contacts.size(); ++c) sweeps.tell_push(c, 0.7, known.contacts[c]);
+    const auto distance = [&](const RandomContacts& random) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < random.values.size(); ++i)
+        sum += (random.values[i] - solved.values[i]).squaredNorm();
+      return std::sqrt(sum);
+    };
+    RandomContacts from_nothing = first;
+    swept(from_nothing, 1);
+    swept(known, 1);
+    CHECK(distance(known) < distance(from_nothing));
+    if (friction == 0.0) CHECK(distance(known) < 1e-9);
+
+    Random random(5);
+    RandomContacts wrong = first;
+    for (SurfaceContact& contact : wrong.contacts) {
+      contact.pushed = 10.0 * random.unit();
+      contact.held_back =
+          friction * contact.pushed * contact.normal.cross(random.vector().normalized()).normalized();
+    }
+    for (std::uint64_t most = 1; most <= 50; ++most) {
+      RandomContacts after = wrong;
+      swept(after, most);
+      CHECK(after.energy() <= first.energy() * (1.0 + 1e-14));
+      CHECK((after.momentum() - first.momentum()).norm() < 1e-12 * double(first.values.size()));
+    }
+  }
+}
+
+namespace {
+
+/// Two flat grids of triangles, one a thickness over the other and moved against it by so much.
+struct TwoSheets {
+  static constexpr Index side = 6;
+  static constexpr double thickness = 0.1;
+  Places places;
+  std::vector<Triangle> triangles;
+
+  TwoSheets(double right, double forward) {
+    for (Index sheet = 0; sheet < 2; ++sheet) {
+      const Index first = sheet * side * side;
+      for (Index i = 0; i < side * side; ++i)
+        places.push_back({i % side + sheet * right, 0.99 * thickness * sheet, i / side + sheet * forward});
+      for (Index row = 0; row + 1 < side; ++row) {
+        for (Index column = 0; column + 1 < side; ++column) {
+          const Index a = first + row * side + column;
+          triangles.push_back({a, a + 1, a + side});
+          triangles.push_back({a + 1, a + side + 1, a + side});
+        }
+      }
+    }
+  }
+
+  std::vector<SurfaceContact> contacts() const {
+    const auto executor = make_tbb_executor(2);
+    const Surface surface(triangles);
+    Places apart = places;
+    for (std::size_t i = side * side; i < apart.size(); ++i) apart[i].y() += 1.0;
+    ClosePairs close(surface, apart, thickness);
+    NarrowPhase narrow_phase(thickness, 0.0, true);
+    const std::vector<double> inverse_mass(places.size(), 1.0);
+    return narrow_phase.contacts_of(close.find(places, places, 2.0 * thickness, *executor),
+                                    {places, places, inverse_mass, 0.0, 0.0, 0.01}, *executor);
+  }
+};
+
+std::size_t corner_contacts(const std::vector<SurfaceContact>& contacts) {
+  return std::size_t(std::count_if(contacts.begin(), contacts.end(), [](const SurfaceContact& contact) {
+    return contact.weights[0] == 1.0 && contact.weights[1] <= 0.0;
+  }));
+}
+
+}  // namespace
+
+TEST_CASE("self-collision: a corner has one contact with a surface, with what it is nearest to") {
+  // Near sides, so that triangles beside the nearest one are near enough for contacts of their own.
+  for (const auto& [right, forward] : {std::pair(0.02, 0.3), std::pair(0.5, 0.49), std::pair(0.01, 0.01)}) {
+    CAPTURE(right);
+    const std::vector<SurfaceContact> contacts = TwoSheets(right, forward).contacts();
+    std::set<Index> corners;
+    for (const SurfaceContact& contact : contacts) {
+      CHECK(std::abs(contact.normal.y()) > 0.9);
+      if (contact.weights[1] <= 0.0) CHECK(corners.insert(contact.particles[0]).second);
+    }
+    CHECK(corners.size() >= 2 * (TwoSheets::side - 1) * (TwoSheets::side - 1));
+  }
+}
+
+TEST_CASE("self-collision: two corners over one another have one contact, and their edges none") {
+  const std::vector<SurfaceContact> contacts = TwoSheets(0.0, 0.0).contacts();
+  CHECK(contacts.size() == TwoSheets::side * TwoSheets::side);
+  CHECK(corner_contacts(contacts) == contacts.size());
+  // So little beside one another that the edges' contacts would say the same as those of corners.
+  const std::vector<SurfaceContact> beside = TwoSheets(5e-4, 3e-4).contacts();
+  CHECK(beside.size() <= 2 * corner_contacts(beside));
 }
 
 TEST_CASE("self-collision: a zone moves as one piece with its momentum, or with what is held in it") {

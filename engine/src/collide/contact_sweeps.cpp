@@ -18,7 +18,22 @@ constexpr double most_leverage = 10.0;
 /// After so many sweeps over what pushes, all are looked at again.
 constexpr std::uint64_t active_sweeps = 7;
 
+/// Pushes that have been before are not made larger than so many times: where they are against each other,
+/// hardly anything moves by however much, and sweeps would have to take all of it back. What has fallen freely
+/// through a step of many substeps asks for twice as much in its velocity as in its way.
+constexpr double most_factor = 2.0;
+
 constexpr unsigned no_colour = ~0u, colours_at_once = 64;
+
+Eigen::Map<const Vec3> vector_of(const std::array<double, 4>& four) {
+  return Eigen::Map<const Vec3>(four.data());
+}
+Eigen::Map<Vec3> vector_at(AlignedVector<double>& values, std::size_t place) {
+  return Eigen::Map<Vec3>(&values[4 * place]);
+}
+Eigen::Map<const Vec3> vector_at(const AlignedVector<double>& values, std::size_t place) {
+  return Eigen::Map<const Vec3>(&values[4 * place]);
+}
 
 template <class Visit>
 void for_each_moved(const SurfaceContact& contact, const std::vector<double>& inverse_mass,
@@ -44,6 +59,8 @@ ContactSweeps::ContactSweeps(const std::vector<double>& inverse_mass)
 void ContactSweeps::set(const std::vector<SurfaceContact>& contacts, Executor& executor) {
   choose_colours(contacts);
   contacts_.resize(contacts.size());
+  have_pushed_ = std::any_of(contacts.begin(), contacts.end(),
+                             [](const SurfaceContact& contact) { return contact.pushed > 0.0; });
   executor.parallel_for(contacts.size(), contacts_in_run, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) contacts_[place_[c]] = packed(contacts[c]);
   });
@@ -57,8 +74,8 @@ PackedContact ContactSweeps::packed(const SurfaceContact& contact) const {
                        contact.friction,
                        0.0,
                        {},
-                       0.0,
-                       {}};
+                       contact.pushed,
+                       {contact.held_back.x(), contact.held_back.y(), contact.held_back.z(), 0.0}};
   double sum = 0.0, largest = 0.0;
   for_each_moved(contact, inverse_mass_, [&](Index i, double weight) {
     sum += weight * weight * inverse_mass_[i];
@@ -69,6 +86,12 @@ PackedContact ContactSweeps::packed(const SurfaceContact& contact) const {
   packed.mass = 1.0 / std::max(sum, largest / most_leverage);
   for (std::size_t k = 0; k < 4; ++k) packed.places[k] = met_place_[contact.particles[k]];
   return packed;
+}
+
+void ContactSweeps::tell_push(std::size_t contact, double scale, SurfaceContact& next) const {
+  const PackedContact& packed = contacts_[place_[contact]];
+  next.pushed = scale * packed.pushed;
+  next.held_back = scale * Eigen::Map<const Vec3>(packed.held_back.data());
 }
 
 void ContactSweeps::find_particles(const std::vector<SurfaceContact>& contacts) {
@@ -130,14 +153,16 @@ void ContactSweeps::store(std::vector<Vec3>& values) const {
   for (std::size_t m = 0; m < met_.size(); ++m) values[met_[m]] = Eigen::Map<const Vec3>(&values_[4 * m]);
 }
 
-std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, const Enough& enough, std::uint64_t most,
-                                 Executor& executor) {
+ContactSweeps::Outcome ContactSweeps::run(std::vector<Vec3>& values, const Enough& enough, std::uint64_t most,
+                                          Executor& executor) {
   load(values);
+  const double asked_before = have_pushed_ ? begin_from_pushes(executor) : 0.0;
   double at_end = enough.least;
   std::uint64_t sweeps = 0;
   while (sweeps < most) {
     const double asked = sweep(contacts_, colour_begin_, executor);
-    if (sweeps == 0) at_end = std::clamp(enough.share * asked, enough.least, enough.most);
+    if (sweeps == 0)
+      at_end = std::clamp(enough.share * std::max(asked, asked_before), enough.least, enough.most);
     ++sweeps;
     if (!(asked > at_end)) break;
     if (!choose_active(executor)) continue;
@@ -148,7 +173,78 @@ std::uint64_t ContactSweeps::run(std::vector<Vec3>& values, const Enough& enough
     for_each_active(executor, [](const PackedContact& active, PackedContact& contact) { contact = active; });
   }
   store(values);
-  return sweeps;
+  return {sweeps, at_end};
+}
+
+/// Sweeps lead to the change of values, of pushes p, with the least e = half the sum of mass times change
+/// squared, less p times what contacts lack before: along known pushes e is least where its slope is zero.
+/// Returns the most that a contact lacked.
+double ContactSweeps::begin_from_pushes(Executor& executor) {
+  before_ = values_;
+  const Work work = work_of_pushes(executor);
+  add_pushes(executor);
+  const double factor = work.done / energy_of_change();
+  scale_change(factor > 0.0 ? std::min(factor, most_factor) : 0.0, executor);
+  return work.lacks;
+}
+
+ContactSweeps::Work ContactSweeps::work_of_pushes(Executor& executor) {
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    Work work;
+    for (std::size_t c = begin; c < end; ++c) {
+      const PackedContact& contact = contacts_[c];
+      Vec3 r = Vec3::Zero();
+      for (std::size_t k = 0; k < 4; ++k) r += contact.weights[k] * vector_at(values_, contact.places[k]);
+      const double lacks = contact.least - r.dot(vector_of(contact.normal));
+      const double slides = vector_of(contact.held_back).dot(r - vector_of(contact.held));
+      work.add({contact.mass * (contact.pushed * lacks + slides), lacks});
+    }
+    return work;
+  };
+  return sum_in_order<Work>(executor, contacts_.size(), contacts_in_run, part, work_);
+}
+
+void ContactSweeps::add_pushes(Executor& executor) {
+  for_each_in_colours(executor, [&](PackedContact& contact) {
+    const Vec3 change = contact.pushed * vector_of(contact.normal) - vector_of(contact.held_back);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double inverse_mass = values_[4 * contact.places[k] + 3];
+      const double share = contact.weights[k] * inverse_mass * contact.mass;
+      if (share != 0.0) vector_at(values_, contact.places[k]) += share * change;
+    }
+  });
+}
+
+/// The sum of mass times change squared [kg values^2].
+double ContactSweeps::energy_of_change() const {
+  double energy = 0.0;
+  for (std::size_t m = 0; m < met_.size(); ++m) {
+    const double inverse_mass = values_[4 * m + 3];
+    if (inverse_mass > 0.0)
+      energy += (vector_at(values_, m) - vector_at(before_, m)).squaredNorm() / inverse_mass;
+  }
+  return energy;
+}
+
+void ContactSweeps::scale_change(double factor, Executor& executor) {
+  const auto scaled = [&](double value) { return factor > 0.0 ? factor * value : 0.0; };
+  for (std::size_t v = 0; v < values_.size(); ++v) values_[v] = before_[v] + scaled(values_[v] - before_[v]);
+  for_each_in_colours(executor, [&](PackedContact& contact) {
+    contact.pushed = scaled(contact.pushed);
+    for (double& held_back : contact.held_back) held_back = scaled(held_back);
+  });
+}
+
+/// Never two that share a particle at once.
+template <class Visit>
+void ContactSweeps::for_each_in_colours(Executor& executor, const Visit& visit) {
+  for (std::size_t colour = 0; colour + 1 < colour_begin_.size(); ++colour) {
+    const std::size_t first = colour_begin_[colour];
+    executor.parallel_for(colour_begin_[colour + 1] - first, contacts_in_run,
+                          [&](std::size_t begin, std::size_t end) {
+                            for (std::size_t c = first + begin; c < first + end; ++c) visit(contacts_[c]);
+                          });
+  }
 }
 
 double ContactSweeps::sweep(std::span<PackedContact> contacts, const std::vector<std::size_t>& colour_begin,

@@ -24,6 +24,10 @@ struct SurfaceContact {
   double least;
   Vec3 held;
   double friction;
+  /// What sweeps begin from, and add to: how far it has pushed along the normal, >= 0, and what friction has
+  /// held back along the surface.
+  double pushed = 0.0;
+  Vec3 held_back = Vec3::Zero();
 
   Vec3 sum(const std::vector<Vec3>& values) const {
     Vec3 r = Vec3::Zero();
@@ -46,6 +50,9 @@ bool can_be_moved(const SurfaceContact& contact, const std::vector<double>& inve
 /// sum to zero when they are weighed by mass, so momentum is kept. Contacts of one colour share no particle:
 /// a sweep is the same on any number of threads.
 ///
+/// Where contacts have pushed before they are set, sweeps begin from these pushes, all so many times as large
+/// as leads nearest to where sweeps lead: that adds no kinetic energy either.
+///
 /// Most contacts of a pile push in no sweep or in all of them, so most sweeps go over those only that pushed
 /// when all were looked at last; they end where all ask for little.
 class ContactSweeps {
@@ -65,11 +72,18 @@ class ContactSweeps {
   /// The contacts of the next run. Those none of whose particles can be moved must be left out.
   void set(const std::vector<SurfaceContact>& contacts, Executor& executor);
 
-  /// Changes `values` of all particles until that is enough; in at most so many sweeps. Returns in how many.
-  std::uint64_t run(std::vector<Vec3>& values, const Enough& enough, std::uint64_t most, Executor& executor);
+  struct Outcome {
+    std::uint64_t sweeps;
+    double enough;  ///< what contacts might ask for in the end
+  };
 
-  /// Whether a contact has pushed in the last run, and not taken all of it back.
+  /// Changes `values` of all particles until that is enough; in at most so many sweeps.
+  Outcome run(std::vector<Vec3>& values, const Enough& enough, std::uint64_t most, Executor& executor);
+
+  /// A contact after the last run: whether it has pushed, and not taken all of it back.
   bool pushed(std::size_t contact) const { return contacts_[place_[contact]].pushed > 0.0; }
+  /// What it has done, for its next run in values `scale` times as large.
+  void tell_push(std::size_t contact, double scale, SurfaceContact& next) const;
 
   /// All particles of the contacts that can be moved, sorted.
   const std::vector<Index>& particles() const { return particles_; }
@@ -82,13 +96,30 @@ class ContactSweeps {
     void add(const Largest& other) { value = std::max(value, other.value); }
   };
 
+  /// Of pushes that have been before.
+  struct Work {
+    double done = 0.0;   ///< on what their contacts lack [kg values^2]
+    double lacks = 0.0;  ///< the most that one lacks
+    void add(const Work& other) {
+      done += other.done;
+      lacks = std::max(lacks, other.lacks);
+    }
+  };
+
   void choose_colours(const std::vector<SurfaceContact>& contacts);
   PackedContact packed(const SurfaceContact& contact) const;
+  double begin_from_pushes(Executor& executor);
+  Work work_of_pushes(Executor& executor);
+  void add_pushes(Executor& executor);
+  double energy_of_change() const;
+  void scale_change(double factor, Executor& executor);
   void load(const std::vector<Vec3>& values);
   void store(std::vector<Vec3>& values) const;
   double sweep(std::span<PackedContact> contacts, const std::vector<std::size_t>& colour_begin,
                Executor& executor);
   bool choose_active(Executor& executor);
+  template <class Visit>
+  void for_each_in_colours(Executor& executor, const Visit& visit);
   template <class Visit>
   void for_each_active(Executor& executor, const Visit& visit);
 
@@ -104,6 +135,9 @@ class ContactSweeps {
   std::vector<Index> met_place_;  ///< of each particle, among those
   AlignedVector<double> values_;  ///< of those: see PackedValues
   std::vector<Largest> largest_;
+  bool have_pushed_ = false;      ///< before they were set
+  AlignedVector<double> before_;  ///< these pushes: values_ then
+  std::vector<Work> work_;
 };
 
 }  // namespace hooke

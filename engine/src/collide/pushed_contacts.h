@@ -15,10 +15,10 @@ class PushedContacts {
   /// Of so many particles.
   explicit PushedContacts(std::size_t particles);
 
-  /// Takes note of those of a round that pushed in the last run of `sweeps`, for which they were set. The
-  /// last of them are with colliders, which move with these velocities [m/s].
+  /// Takes note of those of a round that pushed in the last run of `sweeps`, for which they were set, in a
+  /// step of `h` [s]. The last of them are with colliders, which move with these velocities [m/s].
   void note(const std::vector<SurfaceContact>& contacts, const ContactSweeps& sweeps,
-            std::span<const Vec3> of_colliders);
+            std::span<const Vec3> of_colliders, double h);
 
   void add(const SurfaceContact& contact) { contacts_.push_back(contact); }
   void clear() { contacts_.clear(); }
@@ -34,7 +34,7 @@ class PushedContacts {
   }
 
  private:
-  void forget_pushed_again(const std::vector<SurfaceContact>& contacts, const ContactSweeps& sweeps);
+  std::vector<SurfaceContact>::iterator add_to_later(std::ptrdiff_t known);
 
   std::vector<SurfaceContact> contacts_;
   std::vector<Index> last_of_, one_before_;  ///< of a round's contacts that push, by their first particle

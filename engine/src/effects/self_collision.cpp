@@ -251,6 +251,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   bool push_apart(const StepResult<Real>& result, Executor& executor) {
     pushed_.clear();
     left_ = 0, pushed_far_ = false;
+    enough_ = enough(collision_.thickness, most_depth);
     bool touches = false;
     for (int round = 0; round < most_rounds; ++round) {
       if (round > 0) begin_round(result, executor);
@@ -261,7 +262,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       touches = true;
       for (const SurfaceContact& contact : contacts) awake_.note_touch(contact.particles);
       pushed_far_ = push(contacts, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
-      pushed_.note(contacts, sweeps_, obstacles_.velocities());
+      pushed_.note(contacts, sweeps_, obstacles_.velocities(), result.h);
       if (!pushed_far_) break;
     }
     pushed_.forget_pinched(masses_);
@@ -277,9 +278,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     sweeps_.set(contacts, executor);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
-    const std::uint64_t sweeps =
-        sweeps_.run(end_, enough(collision_.thickness, most_depth), collision_.sweeps, executor);
+    const auto [sweeps, depth] = sweeps_.run(end_, enough_, collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
+    enough_.least = depth;
     left_ = 0;
     for (std::size_t c = 0; c < pairs; ++c) {
       if (contacts[c].gap(end_) < -0.5 * contacts[c].least) ++left_;
@@ -302,7 +303,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     if (pushed_.all().empty()) return;
     sweeps_.find_particles(pushed_.all());
     sweeps_.set(pushed_.all(), executor);
-    const std::uint64_t sweeps =
+    const auto [sweeps, speed] =
         sweeps_.run(velocity_, enough(collision_.thickness / h, std::numeric_limits<double>::infinity()),
                     collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
@@ -346,6 +347,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   NarrowPhase narrow_phase_;
   ContactSweeps sweeps_;
   PushedContacts pushed_;
+  ContactSweeps::Enough enough_{};  ///< of places in this step
   ImpactZones zones_;
   std::optional<Untangling> untangling_;
   std::vector<ClosePair> kept_apart_;
