@@ -147,7 +147,7 @@ double VertexSweeps<Real>::sweep(Real least_across) {
   if (coupled_.any()) coupled_.take(now_, time_, {h_ * h_, h_}, executor_);
   const auto solve = [&](std::size_t first, std::size_t last) {
     awake_.for_each_run(first, last, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t s = begin; s < end; ++s) changes_[s] = solve_strip(equations, strips_[s]);
+      for (std::size_t s = begin; s < end; ++s) changes_[s] = solve_awake(equations, strips_[s]);
     });
   };
   for (const Colour& colour : colours_) {
@@ -159,6 +159,16 @@ double VertexSweeps<Real>::sweep(Real least_across) {
   double sum = 0.0;
   for (const double change : changes_) sum += change;
   return sum;
+}
+
+template <class Real>
+double VertexSweeps<Real>::solve_awake(const VertexEquations<Real>& equations, const VertexStrip& strip) {
+  double change = 0.0;
+  model_.awake.for_each_run(strip.begin, strip.end, [&](std::size_t begin, std::size_t end) {
+    change += solve_strip(equations, {begin, end, std::max(strip.first, begin * block_size),
+                                      std::min(strip.last, end * block_size)});
+  });
+  return change;
 }
 
 template <class Real>

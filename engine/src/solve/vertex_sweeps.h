@@ -49,6 +49,7 @@ class VertexSweeps {
   template <class Visit>
   void for_each_awake(const Visit& visit) const;
 
+  double solve_awake(const VertexEquations<Real>& equations, const VertexStrip& strip);
   double solve_strip(const VertexEquations<Real>& equations, const VertexStrip& strip);
 
   /// The strips of one colour: `together` of them run at once. The others run after them, one by one: vectors
