@@ -19,8 +19,8 @@ constexpr double most_leverage = 10.0;
 constexpr std::uint64_t active_sweeps = 7;
 
 /// Pushes that have been before are not made larger than so many times: where they are against each other,
-/// hardly anything moves by however much, and sweeps would have to take all of it back. What has fallen freely
-/// through a step of many substeps asks for twice as much in its velocity as in its way.
+/// hardly anything moves by however much, and sweeps would have to take all of it back. What has fallen
+/// freely through a step of many substeps asks for twice as much in its velocity as in its way.
 constexpr double most_factor = 2.0;
 
 constexpr unsigned no_colour = ~0u, colours_at_once = 64;
@@ -264,13 +264,16 @@ double ContactSweeps::sweep(std::span<PackedContact> contacts, const std::vector
 
 /// Those that push. Whether they are so much fewer that it pays.
 bool ContactSweeps::choose_active(Executor& executor) {
-  active_begin_.assign(1, 0);
-  for (std::size_t colour = 0; colour + 1 < colour_begin_.size(); ++colour) {
-    const auto pushing = std::count_if(contacts_.begin() + std::ptrdiff_t(colour_begin_[colour]),
-                                       contacts_.begin() + std::ptrdiff_t(colour_begin_[colour + 1]),
-                                       [](const PackedContact& contact) { return contact.pushed > 0.0; });
-    active_begin_.push_back(active_begin_.back() + std::size_t(pushing));
-  }
+  const std::size_t colours = colour_begin_.size() - 1;
+  active_begin_.assign(colours + 1, 0);
+  executor.parallel_for(colours, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t colour = begin; colour < end; ++colour)
+      active_begin_[colour + 1] =
+          std::size_t(std::count_if(contacts_.begin() + std::ptrdiff_t(colour_begin_[colour]),
+                                    contacts_.begin() + std::ptrdiff_t(colour_begin_[colour + 1]),
+                                    [](const PackedContact& contact) { return contact.pushed > 0.0; }));
+  });
+  for (std::size_t colour = 0; colour < colours; ++colour) active_begin_[colour + 1] += active_begin_[colour];
   if (3 * active_begin_.back() > 2 * contacts_.size()) return false;
   active_.resize(active_begin_.back());
   for_each_active(executor, [](PackedContact& active, const PackedContact& contact) { active = contact; });

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace hooke {
+namespace {
+
+/// Contacts that one thread looks at, at a time.
+constexpr std::size_t contacts_in_run = 1024;
+
+}  // namespace
 
 void ObstacleContacts::move_to(double time, double h) {
   h_ = h;
@@ -37,13 +43,11 @@ void ObstacleContacts::keep_out(const std::vector<Index>& particles, const Place
 
 std::size_t ObstacleContacts::add_to(std::vector<SurfaceContact>& contacts,
                                      const std::vector<Index>& particles, const Places& start,
-                                     const Places& end) {
+                                     const Places& end, Executor& executor) {
   contacts_.clear(), velocities_.clear();
   if (obstacles_.size() > 0) {
     for (const Index i : particles) find(i, start, end);
-    std::erase_if(contacts, [&](const SurfaceContact& contact) {
-      return masses_.takes_pinched(contact) || is_squeezed(contact, end);
-    });
+    leave_out(contacts, end, executor);
   }
   const std::size_t pairs = contacts.size();
   contacts.insert(contacts.end(), contacts_.begin(), contacts_.end());
@@ -69,6 +73,23 @@ void ObstacleContacts::find(Index particle, const Places& start, const Places& e
   masses_.pinch(particle);
   contacts_.erase(contacts_.begin() + std::ptrdiff_t(others), contacts_.end());
   velocities_.resize(others);
+}
+
+/// Those of what is pinched or squeezed.
+void ObstacleContacts::leave_out(std::vector<SurfaceContact>& contacts, const Places& end,
+                                 Executor& executor) {
+  is_left_out_.resize(contacts.size());
+  executor.parallel_for(contacts.size(), contacts_in_run, [&](std::size_t begin, std::size_t last) {
+    for (std::size_t c = begin; c < last; ++c)
+      is_left_out_[c] = masses_.takes_pinched(contacts[c]) || is_squeezed(contacts[c], end);
+  });
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (is_left_out_[c] != 0) continue;
+    if (kept != c) contacts[kept] = contacts[c];
+    ++kept;
+  }
+  contacts.erase(contacts.begin() + std::ptrdiff_t(kept), contacts.end());
 }
 
 bool ObstacleContacts::is_squeezed(const SurfaceContact& contact, const Places& end) const {

@@ -33,12 +33,12 @@ class ObstacleContacts {
   /// there is no room for both between colliders that they lie on, which hold each against the push of the
   /// other. Returns how many contacts of pairs there are then, which come first.
   std::size_t add_to(std::vector<SurfaceContact>& contacts, const std::vector<Index>& particles,
-                     const Places& start, const Places& end);
+                     const Places& start, const Places& end, Executor& executor);
 
   /// Of the contacts that were added: the velocity of the collider there [m/s].
   const std::vector<Vec3>& velocities() const { return velocities_; }
 
-  std::size_t bytes() const { return obstacles_.bytes(); }
+  std::size_t bytes() const { return obstacles_.bytes() + is_left_out_.capacity(); }
 
  private:
   /// What is so deep in several is pinched.
@@ -46,14 +46,16 @@ class ObstacleContacts {
 
   bool is_pinched(Index particle, const Places& places) const;
   void find(Index particle, const Places& start, const Places& end);
+  void leave_out(std::vector<SurfaceContact>& contacts, const Places& end, Executor& executor);
   bool is_squeezed(const SurfaceContact& contact, const Places& end) const;
   bool is_held(const SurfaceContact& contact, double side) const;
 
   Obstacles obstacles_;
   double thickness_, h_ = 0.0;
   ContactMasses& masses_;
-  std::vector<SurfaceContact> contacts_;  ///< the last ones, sorted by particle
-  std::vector<Vec3> velocities_;          ///< of each of these
+  std::vector<SurfaceContact> contacts_;    ///< the last ones, sorted by particle
+  std::vector<Vec3> velocities_;            ///< of each of these
+  std::vector<unsigned char> is_left_out_;  ///< of each contact of pairs
 };
 
 }  // namespace hooke

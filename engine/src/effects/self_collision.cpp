@@ -274,7 +274,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   /// How far particles are moved, at most [m].
   double push(std::vector<SurfaceContact>& contacts, Executor& executor) {
     sweeps_.find_particles(contacts);
-    const std::size_t pairs = obstacles_.add_to(contacts, sweeps_.particles(), start_, end_);
+    const std::size_t pairs = obstacles_.add_to(contacts, sweeps_.particles(), start_, end_, executor);
     sweeps_.set(contacts, executor);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
