@@ -55,7 +55,7 @@ void GrainPairs<Real>::find_anew(const State<Real>& state, Executor& executor) {
                        [&](const Grain& grain) { return state.position(grain.place).allFinite(); });
   if (known_) {
     const double far = 2.0 * largest_ + far_margins * margin_;
-    bound_.look(state, state, 0.0);
+    bound_.look(state, state, 1.0);
     bound_.choose_near(far, far - 2.0 * largest_);
     for (std::size_t g = 0; g < grains_.size(); ++g) {
       boxes_[g] = {};

@@ -11,13 +11,13 @@ namespace {
 /// More pairs than so many times the corners are of cloth that lies on cloth.
 constexpr double crowd = 8.0;
 
-/// Pairs are looked for where particles are going to be so many steps ahead: as far as uses up this share of
-/// the margin.
-constexpr double most_ahead = 500.0, least_ahead = 0.2, share_ahead = 0.75;
+/// Moments of a step, as MotionBound counts them. Where cloth lies on cloth pairs are looked for in its
+/// middle: what rests falls in each step and is pushed back, and both places are half as far from there.
+constexpr double middle_of_step = 0.5, end_of_step = 1.0;
 
-/// Where cloth lies on cloth they are looked for in the middle of the step instead: what rests falls in each
-/// step and is pushed back, and both places are half as far from there.
-constexpr double middle = -0.5;
+/// Elsewhere they are looked for where particles are going to be so many steps after its end: as far as uses
+/// up this share of the margin.
+constexpr double most_ahead = 500.0, least_ahead = 0.2, share_ahead = 0.75;
 
 /// What is so many margins away counts as far, and may move so much before pairs are found anew.
 constexpr double far_margins = 16.0;
@@ -63,7 +63,7 @@ bool LastingPairs<Real>::find(const StepResult<Real>& result, const Places& star
   hold_ = false;
   if (!are_finite(start, end)) return false;  // such a step is not taken
   margin_ = is_crowd_ ? margins_.narrow : margins_.wide;
-  look(result, is_crowd_ ? middle : 0.0, executor);
+  look(result, is_crowd_ ? middle_of_step : end_of_step, executor);
   hold_ = moved_ <= margin_;
   if (hold_ && !is_crowd_) look_ahead(result, executor);
   // What is fast is looked at along its way in this step alone.
@@ -88,16 +88,16 @@ void LastingPairs<Real>::measure_motion(const StepResult<Real>& result, Executor
 template <class Real>
 void LastingPairs<Real>::look_ahead(const StepResult<Real>& result, Executor& executor) {
   const double motion = rounding * bound_.since(result.start, result.next, margin_, executor);
-  const double ahead = std::min(most_ahead, share_ahead * margin_ / motion - 1.0);
-  if (!(ahead > least_ahead)) return;
-  look(result, ahead, executor);
-  if (!(moved_ <= margin_)) look(result, 0.0, executor);
+  const double moment = std::min(end_of_step + most_ahead, share_ahead * margin_ / motion);
+  if (!(moment > end_of_step + least_ahead)) return;
+  look(result, moment, executor);
+  if (!(moved_ <= margin_)) look(result, end_of_step, executor);
 }
 
-/// At where particles are going to be after so many more steps like this one.
+/// At where particles are at a moment of this step, or are going to be after it.
 template <class Real>
-void LastingPairs<Real>::look(const StepResult<Real>& result, double ahead, Executor& executor) {
-  bound_.look(result.start, result.next, ahead);
+void LastingPairs<Real>::look(const StepResult<Real>& result, double moment, Executor& executor) {
+  bound_.look(result.start, result.next, moment);
   for (const Index i : surface_.corners) looked_[i] = bound_.looked(i);
   const double edges = 2.0 * longest_edge(), active = NarrowPhase::active_distance(thickness_);
   const double far = edges + active + margin_ + far_margins * margins_.wide;

@@ -64,7 +64,7 @@ class LastingPairs {
 
   void measure_motion(const StepResult<Real>& result, Executor& executor);
   void look_ahead(const StepResult<Real>& result, Executor& executor);
-  void look(const StepResult<Real>& result, double ahead, Executor& executor);
+  void look(const StepResult<Real>& result, double moment, Executor& executor);
   bool are_finite(const Places& start, const Places& end) const;
   double longest_edge() const;
 

@@ -57,9 +57,9 @@ void MotionBound<Real>::Places::move_on(const State<Real>& start, const State<Re
 }
 
 template <class Real>
-void MotionBound<Real>::look(const State<Real>& start, const State<Real>& next, double ahead) {
+void MotionBound<Real>::look(const State<Real>& start, const State<Real>& next, double moment) {
   looked_.remember(next);
-  if (ahead != 0.0) looked_.move_on(start, next, Real(ahead));
+  if (moment != 1.0) looked_.move_on(start, next, Real(moment - 1.0));
   measured_ = looked_;
   near_moved_ = all_moved_ = 0.0;
 }

@@ -26,9 +26,9 @@ class MotionBound {
   /// The particles' numbers in the engine's order, sorted.
   explicit MotionBound(const std::vector<Index>& particles);
 
-  /// Remembers where they are going to be after `ahead` more steps like this one, or were before, where that
-  /// is negative. choose_near() must follow.
-  void look(const State<Real>& start, const State<Real>& next, double ahead);
+  /// Remembers where they are at a moment of this step: 0 is its start, 1 its end, and more where they are
+  /// going to be after it if they go on as in it. choose_near() must follow.
+  void look(const State<Real>& start, const State<Real>& next, double moment);
 
   /// Two of them are near each other where they are less than `far` [m] apart there; farther ones may come
   /// `far_motion` [m] nearer to each other.
