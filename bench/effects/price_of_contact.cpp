@@ -10,6 +10,7 @@
 #include <hooke/hooke.h>
 
 #include "effects/paired_times.h"
+#include "scenes/hard/folded_strip.h"
 
 namespace hooke::bench {
 namespace {
@@ -41,21 +42,8 @@ Scene folded(Index columns) {
   Scene scene;
   ClothGrid shape = cloth_of(columns);
   shape.bend = 0.0;
-  const GridParticles cloth = add(scene, shape);
   const Index rows_of_layer = (columns + layers - 1) / layers;
-  for (Index row = 0; row < columns; ++row) {
-    const Index layer = row / rows_of_layer, in_layer = row % rows_of_layer;
-    const Index place = layer % 2 == 0 ? in_layer : rows_of_layer - 1 - in_layer;
-    for (Index column = 0; column < columns; ++column) {
-      scene.particles.position[cloth.at(column, row)] = {
-          column * shape.spacing, thickness * (0.5 + 1.1 * layer), place * shape.spacing};
-    }
-  }
-  Springs& springs = scene.springs;
-  for (std::size_t s = 0; s < springs.size(); ++s) {
-    springs.rest_length[s] =
-        (scene.particles.position[springs.first[s]] - scene.particles.position[springs.second[s]]).norm();
-  }
+  hard::add_folded_strip(scene, shape, rows_of_layer, {0.0, 0.5 * thickness, 0.0}, 1.1 * thickness);
   scene.effects = {Gravity{}, Drag{1e-5},
                    Collider{.shape = PlaneShape{}, .thickness = 0.5 * thickness, .friction = 0.3}};
   return scene;

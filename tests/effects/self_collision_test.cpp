@@ -11,6 +11,7 @@
 #include "effects/crossings.h"
 #include "fine_executor.h"
 #include "scenes.h"
+#include "scenes/hard/folded_strip.h"
 
 using namespace hooke;
 using namespace hooke::test;
@@ -44,24 +45,11 @@ Scene one_over_another(const Vec3& velocity, double height, double friction, boo
   return scene;
 }
 
-/// A strip of cloth in layers with sharp creases, where it is at rest.
-Scene folded_strip(Index columns, Index rows_of_layer, int layers, double spacing) {
+/// A strip in layers on a plane.
+Scene folded_strip(Index columns, Index rows_of_layer, Index layers, double spacing) {
   Scene scene;
-  const Index rows = rows_of_layer * Index(layers);
-  const GridParticles cloth =
-      add(scene, ClothGrid{.columns = columns, .rows = rows, .spacing = spacing, .bend = 0.0});
-  const double gap = 1.1 * thickness;
-  for (Index row = 0; row < rows; ++row) {
-    const Index layer = row / rows_of_layer, in_layer = row % rows_of_layer;
-    const Index place = layer % 2 == 0 ? in_layer : rows_of_layer - 1 - in_layer;
-    for (Index column = 0; column < columns; ++column)
-      scene.particles.position[cloth.at(column, row)] = {column * spacing, thickness + layer * gap,
-                                                         place * spacing};
-  }
-  Springs& springs = scene.springs;
-  for (std::size_t s = 0; s < springs.size(); ++s)
-    springs.rest_length[s] =
-        (scene.particles.position[springs.first[s]] - scene.particles.position[springs.second[s]]).norm();
+  const ClothGrid strip{.columns = columns, .rows = rows_of_layer * layers, .spacing = spacing, .bend = 0.0};
+  hard::add_folded_strip(scene, strip, rows_of_layer, {0.0, thickness, 0.0}, 1.1 * thickness);
   scene.effects = {Gravity{}, Drag{1e-5},
                    Collider{.shape = PlaneShape{}, .thickness = 0.5 * thickness, .friction = 0.3},
                    SelfCollision{.thickness = thickness, .friction = 0.3}};

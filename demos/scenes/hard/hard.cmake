@@ -1,4 +1,5 @@
-# The hard cases: scenes and what methods must make of them. The hooke program and the tests run them.
+# The hard cases: scenes and what methods must make of them. The hooke program and the tests run them; tests and
+# benchmarks build some of their own scenes with the same shapes.
 add_library(hooke_hard_cases STATIC
   scenes/hard/asked_method.cpp
   scenes/hard/bad_input.cpp
@@ -9,6 +10,7 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/contact_watch.cpp
   scenes/hard/far_from_origin.cpp
   scenes/hard/flattened_block.cpp
+  scenes/hard/folded_strip.cpp
   scenes/hard/funnel.cpp
   scenes/hard/hard_cases.cpp
   scenes/hard/huge_steps.cpp
