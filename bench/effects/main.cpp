@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "effects/paired_times.h"
+#include "effects/price_of_colliders.h"
 #include "effects/price_of_contact.h"
 #include "effects/price_of_sleep.h"
 #include "effects/priced_effects.h"
@@ -138,6 +139,7 @@ needed a block of as many; float, symplectic Euler, one thread. Both take %llu s
       "%.3f: so much "
       "is noise.\n",
       unnamed.front(), unnamed.back(), unnamed[unnamed.size() / 2]);
+  print_price_of_colliders(2 * effort.columns, effort.turns);
   print_price_of_contact(effort.columns);
   print_price_of_sleep(effort.cloths_asleep, effort.columns / 4, effort.turns);
 }

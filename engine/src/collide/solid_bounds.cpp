@@ -15,13 +15,29 @@ constexpr double rounding = 8.0 * double(std::numeric_limits<Real>::epsilon());
 /// keyframes that are equal, rounding moves it.
 constexpr double same_pose = 1e-14;
 
+/// Infinite, but where the plane is across an axis, as floors and walls are: there it ends at the surface, so
+/// that what is clear of it is known from boxes alone.
+template <class Real>
+Bounds<Real> bounds_of_plane(const PlaneShape& plane, double thickness, const FramePlace& place) {
+  constexpr Real infinite = std::numeric_limits<Real>::infinity();
+  Bounds<Real> bounds{{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
+  const Vec3 normal = place.rotation * plane.normal.normalized();
+  const double surface = normal.dot(place.origin) + plane.height + thickness;
+  const double size = 2.0 * std::abs(surface) + std::abs(plane.height) + thickness;
+  const Real end = Real(surface + rounding<Real> * size);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (normal[k] == 1.0) bounds.high[k] = end;
+    if (normal[k] == -1.0) bounds.low[k] = -end;
+  }
+  return bounds;
+}
+
 }  // namespace
 
 template <class Real>
 Bounds<Real> bounds_at(const Collider& collider, const FramePlace& place) {
-  constexpr Real infinite = std::numeric_limits<Real>::infinity();
-  if (std::holds_alternative<PlaneShape>(collider.shape))
-    return {{-infinite, -infinite, -infinite}, {infinite, infinite, infinite}};
+  if (const auto* plane = std::get_if<PlaneShape>(&collider.shape))
+    return bounds_of_plane<Real>(*plane, collider.thickness, place);
   const Vec3 half =
       place.rotation.cwiseAbs() * half_extent_of(collider.shape) + Vec3::Constant(collider.thickness);
   Bounds<Real> bounds;

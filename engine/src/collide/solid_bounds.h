@@ -14,7 +14,8 @@ inline bool is_penalty(const Collider& collider) {
   return collider.stiffness > 0.0;
 }
 
-/// Around a collider that is at a place, with its thickness, in the world; infinite of a plane.
+/// Around a collider that is at a place, with its thickness, in the world; of a plane across an axis the side
+/// below it, of other planes everything.
 template <class Real>
 Bounds<Real> bounds_at(const Collider& collider, const FramePlace& place);
 

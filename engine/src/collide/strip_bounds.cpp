@@ -41,6 +41,10 @@ HWY_INLINE Bounds<Real> bound(const State<Real>& a, const State<Real>& b, std::s
 
 template <class Real>
 HWY_INLINE std::size_t meeting(const BoundsList<Real>& list, const Bounds<Real>& box, std::size_t from) {
+  const Bounds<Real>& all = list.all();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (box.low[axis] > all.high[axis] || box.high[axis] < all.low[axis]) return list.size();
+  }
   const LaneTag<Real> d;
   const std::size_t lanes = hn::Lanes(d);
   for (std::size_t i = from / lanes * lanes; i < list.size(); i += lanes) {
@@ -95,21 +99,20 @@ Bounds<double> bounds_of(const State<double>& a, const State<double>& b, std::si
 
 template <class Real>
 void BoundsList<Real>::drop(std::size_t box) {
-  values_[0][box] = std::numeric_limits<Real>::infinity();
-  values_[3][box] = -std::numeric_limits<Real>::infinity();
+  values_[0][box] = infinite;
+  values_[3][box] = -infinite;
 }
 
 template <class Real>
 void BoundsList<Real>::widen(std::size_t box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    values_[axis][box] = -std::numeric_limits<Real>::infinity();
-    values_[3 + axis][box] = std::numeric_limits<Real>::infinity();
+    values_[axis][box] = all_.low[axis] = -infinite;
+    values_[3 + axis][box] = all_.high[axis] = infinite;
   }
 }
 
 template <class Real>
 void BoundsList<Real>::add(const Bounds<Real>& bounds) {
-  constexpr Real infinite = std::numeric_limits<Real>::infinity();
   ++size_;
   const std::size_t padded = (size_ + block_size - 1) / block_size * block_size;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -117,6 +120,8 @@ void BoundsList<Real>::add(const Bounds<Real>& bounds) {
     values_[3 + axis].resize(padded, -infinite);
     values_[axis][size_ - 1] = bounds.low[axis];
     values_[3 + axis][size_ - 1] = bounds.high[axis];
+    all_.low[axis] = std::min(all_.low[axis], bounds.low[axis]);
+    all_.high[axis] = std::max(all_.high[axis], bounds.high[axis]);
   }
 }
 

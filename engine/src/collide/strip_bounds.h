@@ -31,13 +31,19 @@ class BoundsList {
   void widen(std::size_t box);
   bool dropped(std::size_t box) const { return low(0)[box] > high(0)[box]; }
 
+  /// Around all that meet something.
+  const Bounds<Real>& all() const { return all_; }
+
   std::size_t size() const { return size_; }
   const Real* low(std::size_t axis) const { return values_[axis].data(); }
   const Real* high(std::size_t axis) const { return values_[3 + axis].data(); }
   std::size_t bytes() const;
 
  private:
+  static constexpr Real infinite = std::numeric_limits<Real>::infinity();
+
   std::size_t size_ = 0;
+  Bounds<Real> all_{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
   AlignedVector<Real> values_[6];  ///< padded to whole vectors by boxes that meet nothing
 };
 
