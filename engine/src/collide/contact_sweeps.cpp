@@ -91,7 +91,7 @@ PackedContact ContactSweeps::packed(const SurfaceContact& contact) const {
 void ContactSweeps::tell_push(std::size_t contact, double scale, SurfaceContact& next) const {
   const PackedContact& packed = contacts_[place_[contact]];
   next.pushed = scale * packed.pushed;
-  next.held_back = scale * Eigen::Map<const Vec3>(packed.held_back.data());
+  next.held_back = scale * vector_of(packed.held_back);
 }
 
 void ContactSweeps::find_particles(const std::vector<SurfaceContact>& contacts) {
@@ -299,7 +299,7 @@ std::size_t ContactSweeps::bytes() const {
              sizeof(Index) +
          (colour_begin_.capacity() + active_begin_.capacity()) * sizeof(std::size_t) +
          colour_.capacity() * sizeof(unsigned) + taken_.capacity() * sizeof(std::uint64_t) +
-         values_.capacity() * sizeof(double);
+         (values_.capacity() + before_.capacity()) * sizeof(double) + work_.capacity() * sizeof(Work);
 }
 
 }  // namespace hooke
