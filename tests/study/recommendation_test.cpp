@@ -25,6 +25,23 @@ TEST_CASE("the explicit method is recommended while it needs few substeps, then 
         std::string::npos);
 }
 
+TEST_CASE(
+    "where contact puts things back, which implicit steps know nothing of, more substeps are recommended") {
+  const double longest = largest_stable_step(hung_cloth(12, 10), Verlet{});
+  const auto with = [](const Effect& effect) {
+    Scene scene = hung_cloth(12, 10);
+    scene.effects.push_back(effect);
+    return scene;
+  };
+  for (const Effect& contact : {Effect{Collider{}}, Effect{SelfCollision{.thickness = 1e-3}}}) {
+    CHECK(recommended(with(contact), 300.0 * longest) == "verlet");
+    CHECK(recommended_method(with(contact), 300.0 * longest).reason.find("contact") != std::string::npos);
+    CHECK(recommended(with(contact), 3000.0 * longest) == "backward_euler");
+  }
+  const Scene penalty = with(Collider{.stiffness = 1e-3});
+  CHECK(recommended(penalty, 300.0 * largest_stable_step(penalty, Verlet{})) == "backward_euler");
+}
+
 TEST_CASE("what is recommended takes its steps as it says, and all goes well") {
   for (double stiffer : {1.0, 100.0, 1e6}) {
     Scene scene = hung_cloth(12, 10, 0.01);

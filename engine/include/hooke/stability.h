@@ -43,7 +43,8 @@ struct Recommendation {
 
 /// The method to begin with where a scene is to be simulated in steps of `step` [s] and to look right: the
 /// explicit one while its substeps, of one evaluation of forces each, cost less than an implicit step with
-/// its iterations. It rests on the bounds above, not on the state. The scene and the step have no faults.
+/// its iterations, which is longer where there is contact. It rests on the bounds above, not on the state.
+/// The scene and the step have no faults.
 Recommendation recommended_method(const Scene& scene, double step);
 
 /// What a method makes of a scene's bounds.
