@@ -2,7 +2,7 @@
 add_executable(bench_effects effects/main.cpp effects/priced_effects.cpp effects/paired_times.cpp
                effects/price_of_colliders.cpp effects/price_of_contact.cpp effects/price_of_sleep.cpp)
 target_include_directories(bench_effects PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(bench_effects PRIVATE hooke::hooke hooke_hard_cases hooke_program)
+target_link_libraries(bench_effects PRIVATE hooke::hooke hooke_cloth_shapes hooke_program)
 hooke_warnings(bench_effects)
 
 if(HOOKE_BUILD_TESTS)

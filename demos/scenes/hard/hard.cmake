@@ -1,5 +1,12 @@
-# The hard cases: scenes and what methods must make of them. The hooke program and the tests run them; tests and
-# benchmarks build some of their own scenes with the same shapes.
+# Cloth in shapes that hard cases, tests of effects and benchmarks begin with.
+add_library(hooke_cloth_shapes STATIC
+  scenes/hard/folded_strip.cpp
+  scenes/hard/tangles.cpp)
+target_include_directories(hooke_cloth_shapes PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(hooke_cloth_shapes PUBLIC hooke::hooke)
+hooke_warnings(hooke_cloth_shapes)
+
+# The hard cases: scenes and what methods must make of them. The hooke program and the tests run them.
 add_library(hooke_hard_cases STATIC
   scenes/hard/asked_method.cpp
   scenes/hard/bad_input.cpp
@@ -10,7 +17,6 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/contact_watch.cpp
   scenes/hard/far_from_origin.cpp
   scenes/hard/flattened_block.cpp
-  scenes/hard/folded_strip.cpp
   scenes/hard/funnel.cpp
   scenes/hard/hard_cases.cpp
   scenes/hard/huge_steps.cpp
@@ -37,7 +43,6 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/stiffness_ratio.cpp
   scenes/hard/suite.cpp
   scenes/hard/table_cloth.cpp
-  scenes/hard/tangles.cpp
   scenes/hard/teleported_pin.cpp
   scenes/hard/tiny_and_huge_cloth.cpp
   scenes/hard/tiny_rest_lengths.cpp
@@ -45,5 +50,5 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/watched_run.cpp
   scenes/hard/zero_rest_lengths.cpp)
 target_include_directories(hooke_hard_cases PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(hooke_hard_cases PUBLIC hooke::hooke)
+target_link_libraries(hooke_hard_cases PUBLIC hooke::hooke hooke_cloth_shapes)
 hooke_warnings(hooke_hard_cases)
