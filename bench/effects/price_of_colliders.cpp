@@ -36,7 +36,7 @@ Scene cloth_scene(Index columns, bool hangs) {
 /// Side by side on a plane, with their tops a thickness below y = 0, under all of a level cloth.
 void add_spheres_and_plane(Scene& scene) {
   const double middle = -thickness - radius, apart = width / spheres_along;
-  double low = 0.0;  // where the level cloth ends, which side of x it lies on
+  double low = 0.0;  // a level cloth lies between this z and 0
   for (const Vec3& position : scene.particles.position) low = std::min(low, position.z());
   for (int i = 0; i < spheres_along * spheres_along; ++i) {
     const Vec3 centre((i % spheres_along + 0.5) * apart, middle, low + (i / spheres_along + 0.5) * apart);
