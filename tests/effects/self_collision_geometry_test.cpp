@@ -335,10 +335,12 @@ struct TwoSheets {
   }
 };
 
+bool is_of_corner(const SurfaceContact& contact) {
+  return contact.weights[0] == 1.0 && contact.weights[1] <= 0.0;
+}
+
 std::size_t corner_contacts(const std::vector<SurfaceContact>& contacts) {
-  return std::size_t(std::count_if(contacts.begin(), contacts.end(), [](const SurfaceContact& contact) {
-    return contact.weights[0] == 1.0 && contact.weights[1] <= 0.0;
-  }));
+  return std::size_t(std::count_if(contacts.begin(), contacts.end(), is_of_corner));
 }
 
 }  // namespace
@@ -351,7 +353,7 @@ TEST_CASE("self-collision: a corner has one contact with a surface, with what it
     std::set<Index> corners;
     for (const SurfaceContact& contact : contacts) {
       CHECK(std::abs(contact.normal.y()) > 0.9);
-      if (contact.weights[1] <= 0.0) CHECK(corners.insert(contact.particles[0]).second);
+      if (is_of_corner(contact)) CHECK(corners.insert(contact.particles[0]).second);
     }
     CHECK(corners.size() >= 2 * (TwoSheets::side - 1) * (TwoSheets::side - 1));
   }

@@ -49,6 +49,5 @@ add_library(hooke_hard_cases STATIC
   scenes/hard/twisted_cylinder.cpp
   scenes/hard/watched_run.cpp
   scenes/hard/zero_rest_lengths.cpp)
-target_include_directories(hooke_hard_cases PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(hooke_hard_cases PUBLIC hooke::hooke hooke_cloth_shapes)
 hooke_warnings(hooke_hard_cases)

@@ -144,13 +144,13 @@ void ContactSweeps::choose_colours(const std::vector<SurfaceContact>& contacts) 
 void ContactSweeps::load(const std::vector<Vec3>& values) {
   values_.resize(4 * met_.size());
   for (std::size_t m = 0; m < met_.size(); ++m) {
-    std::copy(values[met_[m]].begin(), values[met_[m]].end(), &values_[4 * m]);
+    vector_at(values_, m) = values[met_[m]];
     values_[4 * m + 3] = inverse_mass_[met_[m]];
   }
 }
 
 void ContactSweeps::store(std::vector<Vec3>& values) const {
-  for (std::size_t m = 0; m < met_.size(); ++m) values[met_[m]] = Eigen::Map<const Vec3>(&values_[4 * m]);
+  for (std::size_t m = 0; m < met_.size(); ++m) values[met_[m]] = vector_at(values_, m);
 }
 
 ContactSweeps::Outcome ContactSweeps::run(std::vector<Vec3>& values, const Enough& enough, std::uint64_t most,

@@ -228,12 +228,13 @@ const std::vector<ClosePair>& NarrowPhase::crossing(const std::vector<ClosePair>
 }
 
 std::size_t NarrowPhase::bytes() const {
-  std::size_t contacts = contacts_.capacity(), pairs = crossing_.capacity();
+  std::size_t contacts = contacts_.capacity(), pairs = crossing_.capacity(), touches = 0;
   for (const Run& run : runs_) {
     contacts += run.contacts.capacity();
     pairs += run.crossing.capacity();
+    touches += run.of_corner.capacity();
   }
-  return contacts * sizeof(SurfaceContact) + pairs * sizeof(ClosePair) +
+  return contacts * sizeof(SurfaceContact) + pairs * sizeof(ClosePair) + touches * sizeof(Touch) +
          begin_.capacity() * sizeof(std::size_t);
 }
 

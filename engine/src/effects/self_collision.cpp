@@ -251,7 +251,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   bool push_apart(const StepResult<Real>& result, Executor& executor) {
     pushed_.clear();
     left_ = 0, pushed_far_ = false;
-    enough_ = enough(collision_.thickness, most_depth);
+    ContactSweeps::Enough kept = enough(collision_.thickness, most_depth);
     bool touches = false;
     for (int round = 0; round < most_rounds; ++round) {
       if (round > 0) begin_round(result, executor);
@@ -261,7 +261,7 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
       if (contacts.empty()) break;
       touches = true;
       for (const SurfaceContact& contact : contacts) awake_.note_touch(contact.particles);
-      pushed_far_ = push(contacts, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
+      pushed_far_ = push(contacts, kept, executor) > 0.1 * collision_.thickness || narrow_phase_.passed();
       pushed_.note(contacts, sweeps_, obstacles_.velocities(), result.h);
       if (!pushed_far_) break;
     }
@@ -271,16 +271,16 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     return touches;
   }
 
-  /// How far particles are moved, at most [m].
-  double push(std::vector<SurfaceContact>& contacts, Executor& executor) {
+  /// How far particles are moved, at most [m]. A later round need not keep contacts better than this one.
+  double push(std::vector<SurfaceContact>& contacts, ContactSweeps::Enough& kept, Executor& executor) {
     sweeps_.find_particles(contacts);
     const std::size_t pairs = obstacles_.add_to(contacts, sweeps_.particles(), start_, end_, executor);
     sweeps_.set(contacts, executor);
     before_.clear();
     for (const Index i : sweeps_.particles()) before_.push_back(end_[i]);
-    const auto [sweeps, depth] = sweeps_.run(end_, enough_, collision_.sweeps, executor);
+    const auto [sweeps, depth] = sweeps_.run(end_, kept, collision_.sweeps, executor);
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
-    enough_.least = depth;
+    kept.least = depth;
     left_ = 0;
     for (std::size_t c = 0; c < pairs; ++c) {
       if (contacts[c].gap(end_) < -0.5 * contacts[c].least) ++left_;
@@ -303,9 +303,9 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
     if (pushed_.all().empty()) return;
     sweeps_.find_particles(pushed_.all());
     sweeps_.set(pushed_.all(), executor);
-    const auto [sweeps, speed] =
-        sweeps_.run(velocity_, enough(collision_.thickness / h, std::numeric_limits<double>::infinity()),
-                    collision_.sweeps, executor);
+    const ContactSweeps::Enough slow =
+        enough(collision_.thickness / h, std::numeric_limits<double>::infinity());
+    const std::uint64_t sweeps = sweeps_.run(velocity_, slow, collision_.sweeps, executor).sweeps;
     met_with_.contact_sweeps = std::max(met_with_.contact_sweeps, sweeps);
     if (left_ == 0) return;
     met_with_.flags |= flag_contacts_left;
@@ -347,7 +347,6 @@ class SelfCollisionCorrection final : public CompiledEffect<Real> {
   NarrowPhase narrow_phase_;
   ContactSweeps sweeps_;
   PushedContacts pushed_;
-  ContactSweeps::Enough enough_{};  ///< of places in this step
   ImpactZones zones_;
   std::optional<Untangling> untangling_;
   std::vector<ClosePair> kept_apart_;
